@@ -83,6 +83,8 @@ TexRecord record_of(const Scene& scene, const Lattice& lattice, const Config& co
         record.s[k] = std::int32_t(std::lround(std::ldexp(corners[k].x, coordinate_frac)));
         record.t[k] = std::int32_t(std::lround(std::ldexp(corners[k].y, coordinate_frac)));
     }
+    if (const double cutoff = scene.materials[scene.triangles[triangle].material].cutoff; cutoff > 0)
+        record.cutoff = std::uint32_t(std::clamp(std::round(cutoff * 255), 1.0, 255.0));
     record.density =
         level_number(texture_detail(scene, triangle) + std::log2(lattice.pitch.x) - config.t_frac_bits);
     return record;

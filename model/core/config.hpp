@@ -55,6 +55,7 @@ constexpr int side_bits = 4;      ///< logarithm of a texture's side, 0..12
 constexpr int most_side_log = 12;
 constexpr int level_frac = 4;     ///< fraction bits of a texture's level and of logarithms of lengths
 constexpr int level_bits = 12;    ///< such a logarithm, signed
+constexpr int hole_bits = 6;      ///< holes of textures through which a ray has gone since its last bounce
 constexpr int length_bits = 7;    ///< fraction bits of a direction's length in a path's length
 constexpr int unit_stages = 8;      ///< latency of rtl/fixed/rc_unit.sv
 constexpr int power_stages = 7;     ///< latency of rc_power.sv

@@ -107,6 +107,8 @@ struct TexRecord {
     /// Logarithm of the density of level 0: texels in a distance of 2^-F lattice steps. level_frac fraction
     /// bits.
     std::int32_t density = 0;
+    /// Where alpha is less, the triangle has a hole: 255 is opaque. 0: it has none.
+    std::uint32_t cutoff = 0;
     template <class V> void fields(V& v, const Config& c) {
         v("s", s, coordinate_bits, 3);
         v("t", t, coordinate_bits, 3);
@@ -118,6 +120,7 @@ struct TexRecord {
         v("nearest", nearest, 1);
         v("last_level", last_level, side_bits);
         v("density", density, level_bits);
+        v("cutoff", cutoff, 8);
     }
     friend bool operator==(const TexRecord&, const TexRecord&) = default;
 };

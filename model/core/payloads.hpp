@@ -313,9 +313,11 @@ struct TexReq {
 /// tex -> shade: the texture's colour at the hit, linear.
 struct TexRsp {
     std::uint32_t ray = 0;
+    std::uint32_t hole = 0;   ///< 1: alpha is below the cut-off, and the ray goes on
     std::array<std::uint32_t, 3> colour{};   ///< 0..1, share_bits fraction bits
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
+        v("hole", hole, 1);
         v("colour", colour, share_bits + 1, 3);
     }
 };

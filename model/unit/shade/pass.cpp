@@ -74,7 +74,7 @@ void request_texture(const PassIn& in, PassOut& out) {
 
 void arrive(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
-    if (s.depth == 0 && s.sample == 0) {
+    if (s.depth == 0 && s.sample == 0 && s.holes == 0) {
         s.found = in.hit.found, s.prim = in.hit.prim, s.t = in.hit.t, s.u = in.hit.u, s.v = in.hit.v;
     }
     if (in.hit.found) {
@@ -155,6 +155,7 @@ void send_shadow(const PassIn& in, const Frame& frame, const Config& c, PassOut&
 void send_bounce(const PassIn& in, const Waiting& ray, PassOut& out) {
     ShadeState& s = out.state;
     s.weight = ray.weight, s.depth = ray.depth, s.cell = ray.cell, s.path = ray.path;
+    s.holes = 0;
     s.next_event = std::uint32_t(ShadeEvent::arrive);
     out.leave = PassOut::Leave::spawn;
     out.spawn = spawn_of(in, s, RayKind::bounce);
@@ -205,6 +206,26 @@ void send_reflected(const PassIn& in, const Frame& frame, const Config& c, PassO
     send_bounce(in, bounced(s, *start, found, false), out);
 }
 
+/// Handles a texture's colour. Where the texture has a hole, the ray goes on from the point in the triangle, in its
+/// own direction (docs/proofs/origins.md, Holes).
+void show_texture(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
+    ShadeState& s = out.state;
+    const Colour ambient = apply_texture(in.texel, s);
+    if (!in.hole || s.holes == most_holes) {
+        add(s.colour, ambient);
+        return next_light(s, 0, frame, c);
+    }
+    ++s.holes;
+    s.next_event = std::uint32_t(ShadeEvent::arrive);
+    out.refracted = true;
+    out.leave = PassOut::Leave::spawn;
+    out.spawn = spawn_of(in, s, RayKind::bounce);
+    for (std::size_t k = 0; k < 3; ++k) out.spawn.o[k] = std::int32_t(s.o[k]);
+    out.spawn.d = in.d;
+    out.spawn.self = s.self, out.spawn.inside = s.inside;
+    if (c.has_homes()) out.spawn.home = home_of(s, in.d, in.placement, c);
+}
+
 /// Finishes a sample, and starts the next one or ends the pixel.
 void finish(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
@@ -220,7 +241,7 @@ void finish(const PassIn& in, const Frame& frame, const Config& c, PassOut& out)
     if (c.supersampling && done < all && !first) {
         s.sample = done;
         s.colour = {};
-        s.weight = full_weight, s.depth = 0, s.cell = 0, s.path = 0;
+        s.weight = full_weight, s.depth = 0, s.cell = 0, s.path = 0, s.holes = 0;
         s.next_event = std::uint32_t(ShadeEvent::arrive);
         out.leave = PassOut::Leave::spawn;
         out.spawn = spawn_of(in, s, RayKind::camera);
@@ -263,10 +284,7 @@ PassOut pass(const PassIn& in, const Frame& frame, const Config& c) {
             next_light(s, 0, frame, c);
             if (s.record != 0) request_texture(in, out);
             break;
-        case ShadeEvent::texture:
-            add(s.colour, apply_texture(in.texel, s));
-            next_light(s, 0, frame, c);
-            break;
+        case ShadeEvent::texture: show_texture(in, frame, c, out); break;
         case ShadeEvent::pop:
             if (s.waiting > 0) {
                 --s.waiting;

@@ -44,8 +44,9 @@ void Shader::read_texture() {
     read.place = texel_place(read.request, read.record, frame_->shade.spread, *config_);
     Line texels;
     std::copy_n(image_->line(read.place.line), texels.size(), texels.begin());
-    read.answer = {read.request.ray, texel_colour(texels, read.place, config_->texels)};
-    in_.texel = read.answer.colour;
+    read.answer = filter_texels(texels, read.place, config_->texels);
+    read.answer.ray = read.request.ray;
+    in_.texel = read.answer.colour, in_.hole = read.answer.hole;
     if (watch_) watch_->filtered(read.request, read.record, read.place, read.answer);
     texture_ = read;
 }

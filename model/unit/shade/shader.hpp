@@ -55,7 +55,7 @@ public:
             if (material_line() != 0) in_.surface = in_.surface.with_material(surface_at(material_line()));
         }
         lines_ = !config_->has_homes() ? 0 : material_line() != 0 ? 2 : 1;
-        counts_.primary_hits += is_arrival() && hit.found && in_.state.depth == 0;
+        counts_.primary_hits += is_arrival() && hit.found && in_.state.depth == 0 && in_.state.holes == 0;
     }
     /// True if a surface must arrive before the next pass. surface_line() is its line.
     bool wants_surface() const { return is_arrival() && in_.hit.found != 0; }

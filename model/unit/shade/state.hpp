@@ -33,6 +33,7 @@ struct ShadeState {
     std::uint32_t cell = 0;     ///< a bit for each pane, set if it lies between the ray and the eye
     std::uint32_t across = 0;   ///< the cell on the other side of the surface that was hit
     std::uint32_t path = 0;     ///< with textures: length of the path so far, as in TexReq
+    std::uint32_t holes = 0;    ///< with textures: that the ray has gone through; it sees no more than most_holes
     // The surface that was hit.
     Vec3l o{};       ///< B fraction bits: a point exactly on it (nearly on it for a sphere or an instance)
     Vec3l inner{};   ///< with two levels: a point exactly on it in the mesh's space, B fraction bits
@@ -75,7 +76,10 @@ struct ShadeState {
             v_("in_cell", cell, c.panes);
             v_("across", across, c.panes);
         }
-        if (c.has_textures()) v_("path", path, c.t_bits());
+        if (c.has_textures()) {
+            v_("path", path, c.t_bits());
+            v_("holes", holes, hole_bits);
+        }
         v_("o", o, c.point_width(), 3);
         v_("normal", normal, unit_bits + 2, 3);
         v_("view", view, unit_bits + 2, 3);
@@ -144,7 +148,8 @@ struct PassIn {
     Vec3i o{}, d{};    ///< of the last camera ray or bounce
     Surface surface;   ///< of an arrive event with a hit
     Waiting top;       ///< of a pop event: the stack's top
-    std::array<std::uint32_t, 3> texel{};   ///< of a texture event: as in TexRsp
+    std::array<std::uint32_t, 3> texel{};   ///< of a texture event: TexRsp::colour
+    std::uint32_t hole = 0;                 ///< of a texture event: as in TexRsp
     /// With two levels: the instance that was hit last. Only `here`, a and b are used.
     Placement placement{};
 };

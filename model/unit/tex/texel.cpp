@@ -75,6 +75,7 @@ std::uint32_t level_of(const TexReq& hit, const TexRecord& record, std::int32_t 
 
 TexelPlace texel_place(const TexReq& hit, const TexRecord& record, std::int32_t spread, const Config& config) {
     TexelPlace place;
+    place.cutoff = record.cutoff;
     place.level = level_of(hit, record, spread);
     const int log_width = std::max(int(record.log_width) - int(place.level), 0),
               log_height = std::max(int(record.log_height) - int(place.level), 0);
@@ -137,20 +138,23 @@ void put_texel(Line& line, std::uint32_t x, std::uint32_t y, const std::array<st
         line[word + 1] = (line[word + 1] & ~std::uint32_t(mask >> 32)) | std::uint32_t(shifted >> 32);
 }
 
-std::array<std::uint32_t, 3> texel_colour(const Line& line, const TexelPlace& place, TexelFormat format) {
+TexRsp filter_texels(const Line& line, const TexelPlace& place, TexelFormat format) {
     constexpr std::uint32_t one = 1u << texel_frac;
     const TexelCode corner[4] = {
         texel_of(line, place.x, place.y, format), texel_of(line, place.x + 1, place.y, format),
         texel_of(line, place.x, place.y + 1, format), texel_of(line, place.x + 1, place.y + 1, format)};
-    std::array<std::uint32_t, 3> colour{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        const auto value = [&](int i) { return srgb_table()[corner[i].code[k]]; };
+    const auto filtered = [&](const auto& value) {
         const std::uint32_t above = value(0) * (one - place.weight_x) + value(1) * place.weight_x,
                             below = value(2) * (one - place.weight_x) + value(3) * place.weight_x;
-        const std::uint32_t sum = above * (one - place.weight_y) + below * place.weight_y;
-        colour[k] = (sum + (1u << (2 * texel_frac - 1))) >> (2 * texel_frac);
+        return above * (one - place.weight_y) + below * place.weight_y;
+    };
+    TexRsp answer;
+    answer.hole = filtered([&](int i) { return corner[i].alpha; }) < place.cutoff << (2 * texel_frac);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t sum = filtered([&](int i) { return srgb_table()[corner[i].code[k]]; });
+        answer.colour[k] = (sum + (1u << (2 * texel_frac - 1))) >> (2 * texel_frac);
     }
-    return colour;
+    return answer;
 }
 
 }   // namespace rayclock

@@ -42,12 +42,14 @@ struct TexelPlace {
     std::uint32_t level = 0;
     std::uint32_t x = 0, y = 0;                 ///< within the tile
     std::uint32_t weight_x = 0, weight_y = 0;   ///< of the texels to the right and below, texel_frac bits
+    std::uint32_t cutoff = 0;                   ///< as in TexRecord
     /// What the unit keeps until the texels come.
     template <class V> void fields(V& v, const Config&) {
         v("x", x, 2);
         v("y", y, 2);
         v("weight_x", weight_x, texel_frac);
         v("weight_y", weight_y, texel_frac);
+        v("cutoff", cutoff, 8);
     }
 };
 /// Returns the level of a hit: the nearest whole number to the logarithm of the texels that a sample's width
@@ -62,9 +64,10 @@ TexelPlace texel_place(const TexReq& hit, const TexRecord& record, std::int32_t 
 /// Returns a channel's intensity, share_bits fraction bits, for an sRGB code (IEC 61966-2-1), rounded to
 /// nearest.
 const std::array<std::uint32_t, 256>& srgb_table();
-/// Returns the colour of a bilinear filter, rounded once, to nearest. Weights of 0 give the nearest texel.
-/// Mirror of rtl/unit/tex/rc_texel_filter.sv.
-std::array<std::uint32_t, 3> texel_colour(const Line& line, const TexelPlace& place, TexelFormat format);
+/// Returns the colour of a bilinear filter, rounded once, to nearest. Weights of 0 give the nearest texel. Alpha is
+/// filtered in the same way and compared with the cut-off, without rounding. Mirror of
+/// rtl/unit/tex/rc_texel_filter.sv.
+TexRsp filter_texels(const Line& line, const TexelPlace& place, TexelFormat format);
 
 /// A texel of a line: codes of 8 bits. A code of fewer bits repeats its upper bits below.
 struct TexelCode {

@@ -29,7 +29,7 @@ public:
     RefClosest met(const RefPath&, const RefClosest&) override { return hit_; }
     void round_corners(RefClosest&, std::array<glm::dvec3, 3>&, bool open) override { is_open = open; }
     glm::dvec3 square(const RefClosest&, const Material&, const glm::dvec3& own) override { return own; }
-    glm::dvec3 texel(const RefClosest&, const RefSurface&, const RefTexel& own) override { return own.colour; }
+    void texel(const RefClosest&, const RefSurface&, RefTexel&) override {}
     void place(RefSurface& surface) override { faces_away = glm::dot(surface.normal, path_.direction) > 0; }
     bool counts(std::size_t, double, double lambert) override { return lambert > 0; }
     bool is_blocked(std::size_t, const RefPath&, double, bool) override { return false; }

@@ -396,13 +396,10 @@ glm::dvec3 Guide::square(const RefClosest& hit, const Material& material, const 
 /// from logarithms of 4 fraction bits. Its length of a path is at most 13.4 % too small or 6.1 % too large:
 /// 0.21 or 0.09 of a level. Each of its three logarithms adds up to 0.09 + 1/16 (the cosine's half of that), its two
 /// registers 1/32 each, and |d| of 7 bits another 0.03.
-glm::dvec3 Guide::texel(const RefClosest& hit, const RefSurface& surface, const RefTexel& own) {
+void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& own) {
     const MachineVisit* at = visit();
-    if (!at || !at->hit.found || at->hit.prim != hit.primitive) return own.colour;
-    if (!at->texture) {
-        fail("a triangle is drawn without its texture");
-        return own.colour;
-    }
+    if (!at || !at->hit.found || at->hit.prim != hit.primitive) return;
+    if (!at->texture) return fail("a triangle is drawn without its texture");
     const Config& config = rules_.inputs.config;
     const Texture& texture = rules_.scene.textures[*surface.material->texture];
     const auto& [a, b, c] = rules_.scene.coordinates[hit.primitive];
@@ -433,11 +430,23 @@ glm::dvec3 Guide::texel(const RefClosest& hit, const RefSurface& surface, const 
     const glm::dvec2 grid(256.0 * picture.width, 256.0 * picture.height), moved = 0x1p-19 * grid,
         first = glm::floor(st * grid - moved), last = glm::floor(st * grid + moved) + 1.0;
     glm::dvec3 low(2), high(-1), seen(0);
+    double clear = 2, dense = -1;   // alpha
     for (double y = first.y; y <= last.y; ++y)
         for (double x = first.x; x <= last.x; ++x) {
             const glm::dvec3 colour = filtered(texture, glm::dvec2(x, y) / grid, level);
             low = glm::min(low, colour), high = glm::max(high, colour);
+            const double alpha = alpha_of(texture, glm::dvec2(x, y) / grid, level);
+            clear = std::min(clear, alpha), dense = std::max(dense, alpha);
         }
+    // The cut-off is rounded to a code.
+    if (const bool is_hole = at->texture->is_hole; is_hole != own.is_hole) {
+        const double cutoff = surface.material->cutoff, half = 0.5 / 255;
+        if (is_hole ? clear < cutoff + half : dense >= cutoff - half)
+            tie();
+        else
+            fail("a texture has a hole where its picture has none, or none where it has one");
+        own.is_hole = is_hole;
+    }
     const double unit = std::exp2(-share_bits);
     for (int k = 0; k < 3; ++k) {
         const double albedo = std::ldexp(double(at->state.albedo[std::size_t(k)]), -share_bits),
@@ -446,12 +455,12 @@ glm::dvec3 Guide::texel(const RefClosest& hit, const RefSurface& surface, const 
             fail("a texture gives another colour than its picture");
         seen[k] = material > 0 ? albedo / material : own.colour[k];
     }
+    own.colour = seen;
     const Scene& given = rules_.inputs.scene;
     const Texture& whole = given.textures[*surface.material->texture];
     const glm::dvec3 exact = filtered(whole, own.st, level_of(whole, detail(own.cosine)));
     finding_.has_texture |= glm::any(glm::greaterThan(
         glm::abs(seen - exact) * surface.material->colour, glm::dvec3(2 * unit)));
-    return seen;
 }
 
 void Guide::place(RefSurface& surface) {

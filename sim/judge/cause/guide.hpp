@@ -63,7 +63,7 @@ public:
     RefClosest met(const RefPath& path, const RefClosest& own) override;
     void round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals, bool is_open) override;
     glm::dvec3 square(const RefClosest& hit, const Material& material, const glm::dvec3& own) override;
-    glm::dvec3 texel(const RefClosest& hit, const RefSurface& surface, const RefTexel& own) override;
+    void texel(const RefClosest& hit, const RefSurface& surface, RefTexel& own) override;
     void place(RefSurface& surface) override;
     bool counts(std::size_t light, double side, double lambert) override;
     bool is_blocked(std::size_t light, const RefPath& path, double distance, bool own) override;

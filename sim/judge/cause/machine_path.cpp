@@ -21,6 +21,10 @@ void MachinePath::sent(const Ray& ray) {
         const int from = at_;
         at_ = add(ray, from);
         visits[std::size_t(from)].reflected = at_;
+    } else if (last_ == ShadeEvent::texture) {
+        const int from = at_;
+        at_ = add(ray, from);
+        visits[std::size_t(from)].onward = at_;
     } else {
         const int from = waiting_.back();
         waiting_.pop_back();
@@ -38,8 +42,8 @@ void MachinePath::answered(const Closest& hit) {
 }
 
 void MachinePath::filtered(const TexReq& hit, const TexRecord& record, const TexelPlace& place,
-                           const TexRsp&) {
-    visits[std::size_t(at_)].texture = MachineTexture{hit, record, place};
+                           const TexRsp& answer) {
+    visits[std::size_t(at_)].texture = MachineTexture{hit, record, place, answer.hole != 0};
 }
 
 void MachinePath::passed(const PassIn& in, const PassOut& out) {

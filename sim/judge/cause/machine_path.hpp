@@ -19,6 +19,7 @@ struct MachineTexture {
     TexReq hit;
     TexRecord record;
     TexelPlace place;
+    bool is_hole = false;
 };
 
 /// A camera ray or bounce, and the surface that it met.
@@ -34,7 +35,7 @@ struct MachineVisit {
     std::vector<MachineLight> lights;
     /// A bounce was due but misses the lattice. No ray was sent, and it added the background.
     bool is_reflected_past = false, is_refracted_past = false;
-    int parent = none, reflected = none, refracted = none;   ///< indices in MachinePath::visits
+    int parent = none, reflected = none, refracted = none, onward = none;   ///< indices in MachinePath::visits
 };
 
 /// Watches a Shader from the first ray of a pixel to its colour.

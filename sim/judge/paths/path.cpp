@@ -24,7 +24,7 @@ void PathJudge::start(std::uint32_t x, std::uint32_t y) {
     fresh_ = true;
     expected_ = {};
     branch_ = {{}, full_weight, 0, 0, 0, {1, 1}};
-    path_ = 0;
+    path_ = holes_ = 0;
     texel_.reset();
     waiting_.clear();
     lit_if_free_ = lit_ = false;
@@ -148,6 +148,7 @@ void PathJudge::pop(const PassIn& in, const PassOut& out) {
     branch_ = waiting_.back();
     waiting_.pop_back();
     path_ = branch_.path;
+    holes_ = 0;
     const Expected& ray = branch_.ray;
     demand(in.top.o == ray.o && in.top.d == ray.d && in.top.weight == branch_.weight &&
                in.top.depth == branch_.depth && in.top.home == ray.home && in.top.path == branch_.path,
@@ -185,7 +186,7 @@ void PathJudge::end_sample(const PassOut& out) {
         colour_ = {};
         exact_ = {};
         branch_ = {{}, full_weight, 0, 0, 0, {1, 1}};
-        path_ = 0;
+        path_ = holes_ = 0;
         demand(out.state.colour == colour_ && out.state.sum == sum_ && out.state.least == least_ &&
                    out.state.most == most_,
                "the samples' sum is wrong");

@@ -45,7 +45,7 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
     place_.is_textured = !rules_.placed && answer_.found && texture_of(rules_.inputs.scene, answer_.prim);
     demand(out.leave == (place_.is_textured ? PassOut::Leave::texture : PassOut::Leave::again),
            "a surface sends a ray, or does not ask for its texture");
-    if (branch_.depth == 0 && sample_ == 0)
+    if (branch_.depth == 0 && sample_ == 0 && holes_ == 0)
         demand(s.found == answer_.found && s.prim == answer_.prim && s.t == answer_.t && s.u == answer_.u &&
                    s.v == answer_.v,
                "the pixel's first hit is not kept");
@@ -111,23 +111,36 @@ void PathJudge::filtered(const TexReq& hit, const TexRecord& record, const Texel
                          const TexRsp& answer) {
     if (const char* wrong = judge_texture(rules_.inputs, answer_.prim, hit, record, place, answer))
         fail(wrong);
-    texel_ = answer.colour;
+    texel_ = answer;
 }
 
 void PathJudge::texture(const PassIn& in, const PassOut& out) {
     const ShadeState& before = in.state;
     const ShadeState& s = out.state;
-    demand(out.leave == PassOut::Leave::again, "a texture's colour sends no ray");
-    demand(texel_ && in.texel == *texel_, "a pass was given another texture's colour");
+    demand(texel_ && in.texel == texel_->colour && in.hole == texel_->hole,
+           "a pass was given another texture's colour");
+    const bool goes_on = in.hole != 0 && holes_ < (1u << hole_bits) - 1;
+    if (goes_on) ++holes_;
     ShadeState same = before;
     same.albedo = s.albedo, same.next_event = s.next_event, same.light = s.light, same.pending = s.pending,
-    same.colour = s.colour;
+    same.colour = s.colour, same.holes = holes_;
     demand(same == s, "what was found on the surface is not kept when its texture comes");
     for (std::size_t k = 0; k < 3; ++k)
         demand(s.albedo[k] == nearest_of_power(Int128(before.albedo[k]) * in.texel[k], share_bits),
                "the colour is not the surface's times the texture's");
-    ambient(s);
-    demand_lights(s);
+    if (!goes_on) {
+        demand(out.leave == PassOut::Leave::again, "a ray goes on where its texture has no hole");
+        ambient(s);
+        return demand_lights(s);
+    }
+    // From the point in the triangle, in the ray's direction, to the other side.
+    Expected ray{RayKind::bounce, {}, bounce_ray_.d, s.self, s.inside};
+    ray.o = by_axis([&](std::size_t k) { return std::int32_t(s.o[k]); });
+    ray.is_refracted = true;
+    if (rules_.placed) ray.home = home_of(s, ray.d);
+    demand(dot(s.n, way_of(ray)) < 0, "a ray goes on to the side from which it came");
+    expect_spawn(out, ray);
+    demand(ShadeEvent(s.next_event) == ShadeEvent::arrive, "a ray that goes on is not waited for");
 }
 
 void PathJudge::demand_lights(const ShadeState& s) {

@@ -77,6 +77,10 @@ const char* judge_record(const FrameInputs& inputs, std::size_t triangle, const 
         (record.nearest != 0) != texture.nearest ||
         record.last_level != (texture.mipmaps ? levels.size() - 1 : 0))
         return "memory does not hold the texture of the triangle that was hit";
+    const double cutoff = inputs.scene.materials[inputs.scene.triangles[triangle].material].cutoff;
+    const bool holds_cutoff = cutoff > 0 ? record.cutoff > 0 && is_nearest(record.cutoff, std::max(255 * cutoff, 1.0))
+                                         : record.cutoff == 0;
+    if (!holds_cutoff) return "memory does not hold the cut-off of the texture that was hit";
     // Half the logarithm of the quotient of two areas.
     const auto& v = inputs.scene.triangles[triangle].vertex;
     const auto corner = [&](std::size_t k) { return inputs.scene.vertices[v[k]] / inputs.lattice.pitch; };
@@ -135,16 +139,20 @@ const char* judge_texture(const FrameInputs& inputs, std::size_t triangle, const
     const TwoTexels x = on_side(coordinate(record.s), picture.width, texture->wrap_s, texture->nearest),
                     y = on_side(coordinate(record.t), picture.height, texture->wrap_t, texture->nearest);
     const bool is_short = inputs.config.texels == TexelFormat::rgb565;
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 4; ++k) {
         const auto value = [&](std::int64_t column, std::int64_t row) {
             const std::uint8_t code = picture.texels[std::size_t(row * picture.width + column)][k];
+            if (k == 3) return is_short ? Int128(code >= 128 ? 255 : 0) : Int128(code);
             return intensity(code, !is_short ? 255 : k == 1 ? 63 : 31);
         };
         const auto along = [&](std::int64_t row) {
             return value(x.first, row) * (256 - x.weight) + value(x.second, row) * x.weight;
         };
         const Int128 sum = along(y.first) * (256 - y.weight) + along(y.second) * y.weight;
-        if (answer.colour[k] != nearest_of_power(sum, 16))
+        if (k == 3) {
+            if ((answer.hole != 0) != (sum < Int128(record.cutoff) * 65536))
+                return "a texture has a hole where its picture has none, or none where it has one";
+        } else if (answer.colour[k] != nearest_of_power(sum, 16))
             return "a texture's colour is not that of its picture at the hit";
     }
     return nullptr;

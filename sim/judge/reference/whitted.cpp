@@ -62,7 +62,7 @@ private:
     void on_triangle(const RefPath& path, const RefClosest& hit, RefSurface& surface) const;
     void on_sphere(const RefPath& path, const RefClosest& hit, RefSurface& surface) const;
     void on_plane(const RefClosest& hit, RefSurface& surface) const;
-    glm::dvec3 picture(const RefPath& path, const RefClosest& hit, const RefSurface& surface) const;
+    glm::dvec3 picture(const RefPath& path, const RefClosest& hit, RefSurface& surface) const;
 
     static RefPath leave(const RefSurface& surface, const glm::dvec3& direction, bool goes_through);
 
@@ -128,8 +128,8 @@ void Tracer::on_plane(const RefClosest& hit, RefSurface& surface) const {
     if (steer_) surface.colour = steer_->square(hit, *surface.material, surface.colour);
 }
 
-/// Returns the factor of a triangle's colour: that of its texture, or 1.
-glm::dvec3 Tracer::picture(const RefPath& path, const RefClosest& hit, const RefSurface& surface) const {
+/// Returns the factor of a triangle's colour: that of its texture, or 1. Finds out whether the texture has a hole.
+glm::dvec3 Tracer::picture(const RefPath& path, const RefClosest& hit, RefSurface& surface) const {
     if (!surface.material->texture || scene_.coordinates.empty()) return glm::dvec3(1);
     const Texture& texture = scene_.textures[*surface.material->texture];
     const auto& [a, b, c] = scene_.coordinates[hit.primitive];
@@ -140,8 +140,12 @@ glm::dvec3 Tracer::picture(const RefPath& path, const RefClosest& hit, const Ref
                  std::abs(glm::dot(surface.normal, path.direction)),
                  glm::dvec3(0)};
     const double lod = level_of_detail(own.detail, own.distance, own.spread, own.cosine);
-    own.colour = rayclock::filtered(texture, own.st, level_of(texture, lod));
-    return steer_ ? steer_->texel(hit, surface, own) : own.colour;
+    own.colour = filtered(texture, own.st, level_of(texture, lod));
+    own.alpha = alpha_of(texture, own.st, level_of(texture, lod));
+    own.is_hole = own.alpha < surface.material->cutoff;
+    if (steer_) steer_->texel(hit, surface, own);
+    surface.is_hole = own.is_hole;
+    return own.colour;
 }
 
 RefSurface Tracer::surface_of(const RefPath& path, const RefClosest& hit) const {
@@ -292,6 +296,15 @@ void Tracer::follow_bounce(const RefBounce& bounce, int depth) {
 void Tracer::shade(const RefPath& path, const RefClosest& hit, double weight, int depth) {
     const RefSurface surface = surface_of(path, hit);
     const Material& m = *surface.material;
+    if (surface.is_hole && path.holes < most_holes) {
+        ++counts_.refraction;
+        if (steer_) steer_->enter(RefBounce::Interaction::passed);
+        RefPath onward = leave(surface, path.direction, true);
+        onward.holes = path.holes + 1;
+        follow(onward, weight, depth);
+        if (steer_) steer_->leave();
+        return;
+    }
     glm::dvec3 local = m.ambient * surface.colour;
     for (std::size_t i = 0; i < scene_.lights.size(); ++i) local += light(path, surface, i);
     sum_ += weight * local;

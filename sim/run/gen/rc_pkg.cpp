@@ -252,7 +252,8 @@ void parts(Package& p, const Config& config) {
     p.part<Placement>("shade_place", {"here", "a", "b"}, shading);
     p.part<ShadeState>("shade_pixel", {"x", "y"});
     p.part<ShadeState>("shade_every", {"next_event", "pending", "found", "prim", "t", "u", "v", "colour",
-                                       "weight", "depth", "light", "in_cell", "across", "path"});
+                                       "weight", "depth", "light", "in_cell", "across", "path",
+                                       "holes"});
     p.part<ShadeState>("shade_point", {"o", "normal", "view", "cosine"});
     p.part<ShadeState>("shade_face", {"n", "is_far", "is_lost", "albedo"});
     p.part<ShadeState>("shade_share", {"share"});
@@ -310,6 +311,7 @@ void derived(Package& p, const Config& c) {
     p.constant("LevelBits", level_bits);
     p.constant("LevelFrac", level_frac);
     p.constant("LengthBits", length_bits);
+    p.constant("HoleBits", hole_bits);
     p.constant("SubPixelBits", sub_pixel_bits);
     p.constant("DepthBits", depth_bits);
     p.constant("Clients", c.clients());
