@@ -166,7 +166,7 @@ CornerCoordinates near_zero(const Texture& texture, CornerCoordinates corners) {
         const double least = std::min({corners[0][axis], corners[1][axis], corners[2][axis]}),
                      most = std::max({corners[0][axis], corners[1][axis], corners[2][axis]}),
                      period = wrap == Wrap::repeat ? 1 : 2,
-                     shift = period * std::round((least + (most - least) / 2) / period);
+                     shift = period * std::floor((least + (most - least) / 2) / period);
         for (glm::dvec2& corner : corners) corner[axis] -= shift;
     }
     return corners;

@@ -64,8 +64,8 @@ int texture_side(int side);
 /// in linear light. Alpha weights the colours. A picture whose sides fit already stays as it is.
 TexelLevel resampled(const TexelLevel& picture);
 
-/// Returns the coordinates shifted by whole periods of the wrap modes, so that they lie around 0. `clamp` has
-/// no period.
+/// Returns the coordinates shifted by whole periods of the wrap modes, so that the middle of their range lies
+/// in the first period: 0..1 for `repeat`, 0..2 for `mirror`. `clamp` has no period.
 CornerCoordinates near_zero(const Texture& texture, CornerCoordinates corners);
 
 /// Returns the colour at a point in linear light: the nearest texel, or the bilinear mean at
@@ -76,8 +76,8 @@ glm::dvec3 filtered(const Texture& texture, glm::dvec2 st, int level);
 glm::dvec3 average_of(const Texture& texture);
 
 /// The share of the exact foreshortening, log2(1 / cosine), by which a slanted surface is drawn coarser. 1
-/// filters along the long axis of a pixel's footprint, 0 along the short one. 0.5 has the highest PSNR on the
-/// scene `room`.
+/// filters along the long axis of a pixel's footprint, 0 along the short one. Of 0, 0.5
+/// and 1, 0.5 has the highest PSNR on the scene `room` against 64 samples in a pixel.
 constexpr double foreshortening_share = 0.5;
 /// The smallest cosine that counts.
 constexpr double least_cosine = 0x1p-16;

@@ -188,7 +188,7 @@ Scene make_room(int) {
     room.block(foot({0.9, 0, 0.3}, 1, 1, 0.5), 1);
     room.material({.name = "mirror",
                    .colour = glm::dvec3(0.8, 0.85, 0.9),
-                   .ambient = 0.05,
+                   .ambient = 0.1,
                    .diffuse = 0.1,
                    .highlight = 0.4,
                    .shine = 60,

@@ -119,8 +119,9 @@ GltfBuffers::GltfBuffers(const JsonValue& document, const std::filesystem::path&
 std::string_view GltfBuffers::file(const JsonValue& uri, const std::string& name) {
     if (leaves_folder(name))
         uri.refuse(fmt::format("names {}, which lies outside the folder of the file", shown(name)));
-    const auto [found, is_new] = outside_.try_emplace(name);
-    if (is_new) found->second = loading_.read(path_.parent_path() / name, uri.where());
+    auto found = outside_.find(name);
+    if (found == outside_.end())   // a file that cannot be read leaves no entry
+        found = outside_.emplace(name, loading_.read(path_.parent_path() / name, uri.where())).first;
     return found->second;
 }
 

@@ -66,7 +66,6 @@ struct MtlPicture {
     glm::dvec2 scale{1}, offset{0};   ///< of the coordinates, before t turns down
     bool clamps = false;
     std::vector<std::string> ignored;   ///< options that are not drawn
-    std::uint64_t line = 0;
 };
 
 /// One `newmtl` block of an MTL file.

@@ -51,7 +51,6 @@ void pair_of(std::string_view& rest, const SourcePosition& at, glm::dvec2& out) 
 /// Reads "map_Kd -s 2 2 1 -clamp on wood.png". Options come first; a name may contain blanks.
 MtlPicture picture_of(std::string_view rest, const SourcePosition& at) {
     MtlPicture picture;
-    picture.line = at.line;
     for (;;) {
         std::string_view after = rest;
         const std::string_view option = take_word(after);

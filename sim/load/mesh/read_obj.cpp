@@ -379,7 +379,7 @@ private:
         if (is_new) found->second = read_picture(path, map);
         if (!found->second) return std::nullopt;
         for (const std::string& option : map.ignored)
-            warnings_.count("option", "of a texture ignored", map.line, option);
+            warnings_.count("option", "of map_Kd ignored", 0, option);
         const Wrap wrap = map.clamps ? Wrap::clamp : Wrap::repeat;
         textures_.push_back({printable(map.file, 80), found->second, wrap, wrap});
         mappings_.push_back({map.scale, map.offset});
