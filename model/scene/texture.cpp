@@ -172,13 +172,14 @@ CornerCoordinates near_zero(const Texture& texture, CornerCoordinates corners) {
     return corners;
 }
 
-glm::dvec3 filtered(const Texture& texture, glm::dvec2 st, int level) {
+glm::dvec4 filtered_with_alpha(const Texture& texture, glm::dvec2 st, int level) {
     const std::vector<TexelLevel>& levels = texture.pyramid->levels;
     const TexelLevel& from =
         levels[texture.mipmaps ? std::size_t(std::clamp(level, 0, int(levels.size()) - 1)) : 0];
     const auto colour = [&](double x, double y) {
-        return colour_of(texel_at(from, wrapped(std::int64_t(x), from.width, texture.wrap_s),
-                                  wrapped(std::int64_t(y), from.height, texture.wrap_t)));
+        const Texel& texel = texel_at(from, wrapped(std::int64_t(x), from.width, texture.wrap_s),
+                                      wrapped(std::int64_t(y), from.height, texture.wrap_t));
+        return glm::dvec4(colour_of(texel), texel[3] / 255.0);
     };
     const double x = st.x * from.width, y = st.y * from.height;
     if (texture.nearest) return colour(std::floor(x), std::floor(y));
@@ -186,6 +187,10 @@ glm::dvec3 filtered(const Texture& texture, glm::dvec2 st, int level) {
                  down = y - 0.5 - top;
     return (1 - down) * ((1 - across) * colour(left, top) + across * colour(left + 1, top)) +
            down * ((1 - across) * colour(left, top + 1) + across * colour(left + 1, top + 1));
+}
+
+glm::dvec3 filtered(const Texture& texture, glm::dvec2 st, int level) {
+    return glm::dvec3(filtered_with_alpha(texture, st, level));
 }
 
 glm::dvec3 average_of(const Texture& texture) {

@@ -10,6 +10,7 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 namespace rayclock {
 
@@ -72,6 +73,8 @@ CornerCoordinates near_zero(const Texture& texture, CornerCoordinates corners);
 /// (s W - 1/2, t H - 1/2), whose neighbours are wrapped. The level is clamped to the pyramid; without mipmaps
 /// it is 0.
 glm::dvec3 filtered(const Texture& texture, glm::dvec2 st, int level);
+/// The same with alpha, 0..1, as the fourth component.
+glm::dvec4 filtered_with_alpha(const Texture& texture, glm::dvec2 st, int level);
 /// Returns the mean of all texels of level 0 in linear light.
 glm::dvec3 average_of(const Texture& texture);
 

@@ -211,6 +211,7 @@ void send_reflected(const PassIn& in, const Frame& frame, const Config& c, PassO
 void show_texture(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
     const Colour ambient = apply_texture(in.texel, s);
+    static_assert(most_holes == (1 << hole_bits) - 1);
     if (!in.hole || s.holes == most_holes) {
         add(s.colour, ambient);
         return next_light(s, 0, frame, c);

@@ -32,10 +32,10 @@ module rc_contexts #(
   input  logic                         place_fires_i,
   input  logic [RayBits-1:0]           place_ray_i,
   input  logic [PlaceW-1:0]            place_i,
-  // With textures: a texture's colour
+  // With textures: whether a texture has a hole, and its colour
   input  logic                         texel_fires_i,
   input  logic [RayBits-1:0]           texel_ray_i,
-  input  logic [3*rc_pkg::ColourBits-1:0] texel_i,
+  input  logic [3*rc_pkg::ColourBits:0] texel_i,
   // To rc_pass
   input  logic                         read_i,
   input  logic [RayBits-1:0]           read_ray_i,
@@ -46,7 +46,7 @@ module rc_contexts #(
   output rc_pkg::shade_state_t         state_o,
   output logic [rc_pkg::WaitingW-1:0]  top_o,
   output logic [PlaceW-1:0]            place_o,
-  output logic [3*rc_pkg::ColourBits-1:0] texel_o,
+  output logic [3*rc_pkg::ColourBits:0] texel_o,
   // From rc_pass: a pass has begun with a surface that has this material
   input  logic                         material_valid_i,
   input  logic [RayBits-1:0]           material_ray_i,
@@ -237,7 +237,7 @@ module rc_contexts #(
       .write_data_i(new_face[AlbedoW-1:0]), .read_i(reads), .read_addr_i(reads_ray),
       .read_data_o(face[AlbedoW-1:0]));
 
-    rc_context_ram #(.Width(AlbedoW), .Depth(Contexts)) u_texel (
+    rc_context_ram #(.Width(AlbedoW + 1), .Depth(Contexts)) u_texel (
       .clk_i, .rst_ni, .write_i(texel_fires_i), .write_addr_i(texel_ray_i),
       .write_data_i(texel_i), .read_i(reads), .read_addr_i(reads_ray), .read_data_o(texel_o));
   end else begin : gen_no_albedo
@@ -327,7 +327,8 @@ module rc_contexts #(
   if (rc_pkg::HasTextures == 1) begin : gen_path
     always_comb begin
       begun_path = begun;
-      if (fresh) begun_path.path = '0;
+      if (fresh) begun_path.path  = '0;
+      if (fresh) begun_path.holes = '0;
     end
   end else begin : gen_no_path
     assign begun_path = begun;

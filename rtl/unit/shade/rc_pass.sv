@@ -38,8 +38,8 @@ module rc_pass #(
   input  rc_pkg::waiting_t         top_i,
   // With two levels: the instance that was hit; line 0 if the ray is the same in it.
   input  rc_pkg::shade_place_t     place_i,
-  // With textures: the colour that has come from tex
-  input  logic [3*ColourBits-1:0]  texel_i,
+  // With textures: what has come from tex, a hole or a colour
+  input  logic [3*ColourBits:0]    texel_i,
   // To rc_contexts: the hit surface's material at the start of a pass, and the state at its end
   output logic                        material_valid_o,
   output logic [RayBits-1:0]          material_ray_o,
@@ -82,7 +82,7 @@ module rc_pass #(
   rc_pkg::surface_t           surface;
   rc_pkg::waiting_t           top_came;
   rc_pkg::shade_place_t place;
-  logic [3*ColourBits-1:0]    texel;
+  logic [3*ColourBits:0]      texel;
 
   if (Every == 1) begin : gen_as_it_comes
     assign valid    = valid_i;
@@ -108,7 +108,7 @@ module rc_pass #(
     rc_shift_register #(.Width(rc_pkg::ShadeStateW + rc_pkg::SurfaceW), .Stages(1)) u_state (
       .clk_i, .enable_i(valid_i), .data_i({state_i, surface_i}), .data_o({state, surface}));
 
-    rc_shift_register #(.Width(3 * ColourBits), .Stages(1)) u_texel (
+    rc_shift_register #(.Width(3 * ColourBits + 1), .Stages(1)) u_texel (
       .clk_i, .enable_i(valid_i), .data_i(texel_i), .data_o(texel));
 
     rc_shift_register #(.Width(rc_pkg::WaitingW), .Stages(1)) u_top_came (
@@ -163,6 +163,7 @@ module rc_pass #(
   // The events of the passes that leave their stages.
   // face: surf or transform. tone: surf or texture
   logic [Stages:0] surf_at, light_at, bounce_at, end_at, transform_at, texture_at, face_at, tone_at;
+  logic [Stages:0] sends_at;   // light, bounce or texture: a ray may start
   logic [Stages:1] surf_q, light_q, bounce_q, end_q, transform_q_at, texture_q;
 
   always_ff @(posedge clk_i) begin
@@ -195,6 +196,7 @@ module rc_pass #(
 
   assign face_at = surf_at | transform_at;
   assign tone_at = surf_at | texture_at;
+  assign sends_at = light_at | bounce_at | texture_at;
 
   // ---- State known at the start of the pass: delayed to the end.
   logic                   goes_on, mirrors, transmits;  // goes_on: one cycle before the first stage
@@ -248,7 +250,7 @@ module rc_pass #(
     .s0_t_i(t), .s0_back_i(back),
     .s0_surface_i(surface), .s0_o_i(o), .s0_d_i(d), .s0_weight_i(state.weight),
     .tone_valid_i(tone_at[6:0]), .s0_texture_i(s0_texture), .s0_albedo_i(albedo),
-    .s0_share_i(share), .s0_texel_i(texel),
+    .s0_share_i(share), .s0_texel_i(texel[3*ColourBits-1:0]),
     .s5_o_o(s5_o), .s5_n_o(s5_n), .s5_toward_o(s5_toward), .s5_far_o(s5_far),
     .s5_lost_o(s5_lost),
     .s6_albedo_o(s6_albedo), .s7_ambient_o(s7_ambient));
@@ -271,9 +273,19 @@ module rc_pass #(
   // ---- With textures: the length of the path, and u and v, which tex gets.
   logic [TBits-1:0]  surf_path;
   logic [UvBits-1:0] face_u, face_v;
+  logic              end_hole;   // the texture has a hole: the ray goes on
+  logic [3*M-1:0]    s15_old_d;  // in its direction
 
   if (rc_pkg::HasTextures == 1) begin : gen_path
     logic [TBits-1:0] s3_path;
+
+    rc_stage_delay #(.Width(3 * M), .Stages(15)) u_old_d (
+      .clk_i, .rst_ni, .enter_i(s0_texture), .leave_i(texture_at[15]), .data_i(d),
+      .data_o(s15_old_d));
+
+    rc_stage_delay #(.Width(1), .Stages(Out), .Parts(rc_pkg::ShadeParts)) u_hole (
+      .clk_i, .rst_ni, .enter_i(s0_texture), .leave_i(texture_at[Out]),
+      .data_i(texel[3*ColourBits]), .data_o(end_hole));
 
     rc_path_length u_path_length (
       .clk_i, .valid_i(surf_at[2:0]), .s1_phase_i(phase[Every +: Every]),
@@ -287,7 +299,10 @@ module rc_pass #(
       .clk_i, .rst_ni, .enter_i(face_at[0]), .leave_i(face_at[Out]), .data_i({u, v}),
       .data_o({face_u, face_v}));
   end else begin : gen_no_path
-    assign {surf_path, face_u, face_v} = '0;
+    assign {surf_path, face_u, face_v, end_hole, s15_old_d} = '0;
+
+    logic unused;
+    assign unused = texel[3*ColourBits];
   end
 
   // ---- Unit vectors and cosines.
@@ -369,6 +384,7 @@ module rc_pass #(
 
   for (genvar k = 0; k < 3; k++) begin : gen_d
     assign s15_d[k*RayDirBits +: RayDirBits] = light_q[15] ? s15_light_d[k*RayDirBits +: RayDirBits]
+                             : texture_q[15] ? RayDirBits'($signed(s15_old_d[k*M +: M]))
                                           : RayDirBits'($signed(s15_bounce_d[k*M +: M]));
   end
 
@@ -383,8 +399,7 @@ module rc_pass #(
     .data_o({end_above, end_below}));
 
   rc_stage_delay #(.Width(3 * RayDirBits + 1), .Stages(Out - 15), .Parts(rc_pkg::ShadeParts)) u_d (
-    .clk_i, .rst_ni, .enter_i(light_at[15] || bounce_at[15]),
-    .leave_i(light_at[Out] || bounce_at[Out]), .data_i({s15_d, s15_cosine != '0}),
+    .clk_i, .rst_ni, .enter_i(sends_at[15]), .leave_i(sends_at[Out]), .data_i({s15_d, s15_cosine != '0}),
     .data_o({end_d, end_positive}));
 
   // ---- With two levels: from a mesh's space, and into it.
@@ -410,7 +425,7 @@ module rc_pass #(
       .s0_o_i(o),
       .s0_d_i(d), .s0_t_i(t), .s0_normal_i(state.normal), .s0_a_i(map_a),
       .s5_toward_o(s5_turned), .s5_o_o(s5_turned_o),
-      .leave_0_i(s0_light || s0_bounce), .leave_valid_i(light_at[18:15] | bounce_at[18:15]),
+      .leave_0_i(sends_at[0]), .leave_valid_i(sends_at[18:15]),
       .s15_phase_i(phase[15*Every +: Every]), .s0_b_i(map_b), .s0_inner_i(state.inner),
       .s15_near_i(light_q[15] && s15_near), .s15_place_i(s15_place), .s15_d_i(s15_d),
       .s19_o_o(s19_home_o), .s19_d_o(s19_home_d));
@@ -425,13 +440,12 @@ module rc_pass #(
     rc_stage_delay #(.Width(3 * (OriginWidth + RayDirBits)), .Stages(Out - 19),
                      .Parts(rc_pkg::ShadeParts))
     u_home (
-      .clk_i, .rst_ni, .enter_i(light_at[19] || bounce_at[19]),
-      .leave_i(light_at[Out] || bounce_at[Out]), .data_i({s19_home_o, s19_home_d}),
+      .clk_i, .rst_ni, .enter_i(sends_at[19]), .leave_i(sends_at[Out]), .data_i({s19_home_o, s19_home_d}),
       .data_o({end_home_o, end_home_d}));
 
     rc_stage_delay #(.Width(rc_pkg::AddrBits), .Stages(Out), .Parts(rc_pkg::ShadeParts)) u_here (
-      .clk_i, .rst_ni, .enter_i(s0_light || s0_bounce || s0_transform),
-      .leave_i(light_at[Out] || bounce_at[Out] || transform_at[Out]), .data_i(here),
+      .clk_i, .rst_ni, .enter_i(sends_at[0] || s0_transform),
+      .leave_i(sends_at[Out] || transform_at[Out]), .data_i(here),
       .data_o(end_home));
   end else begin : gen_one_space
     assign side_d    = s15_d;
@@ -527,7 +541,7 @@ module rc_pass #(
 
   // ---- s28: end of the pass.
   rc_pass_end u_end (
-    .clk_i, .take_i(ends[Stages-1]), .frame_i, .path_i(surf_path), .u_i(face_u), .v_i(face_v),
+    .clk_i, .take_i(ends[Stages-1]), .frame_i, .path_i(surf_path), .u_i(face_u), .v_i(face_v), .hole_i(end_hole),
     .ray_i(end_ray), .begin_state_i(begin_state),
     .mirrors_i(mirrors),
     .transmits_i(transmits), .top_i(top), .surf_o_i(surf_o), .surf_n_i(surf_n),
@@ -547,6 +561,6 @@ module rc_pass #(
     .push_o, .pushed_o);
 
   logic unused;
-  assign unused = ^{hit, phase, ends, surf_at, light_at, bounce_at, end_at, face_at, tone_at};
+  assign unused = ^{hit, phase, ends, surf_at, light_at, bounce_at, end_at, face_at, tone_at, sends_at};
 endmodule
 `default_nettype wire

@@ -30,6 +30,7 @@ module rc_pass_begin #(
 
   // Event.
   logic                arrives, found, back;   // arrives: a camera ray or bounce is done
+  logic                first;                  // through no hole of a texture
   logic [PrimBits-1:0] prim;
   logic [TBits-1:0]    t;
   logic [UvBits-1:0]   u, v;
@@ -40,6 +41,12 @@ module rc_pass_begin #(
   assign t     = hit_i.t;
   assign u     = hit_i.u;
   assign v     = hit_i.v;
+
+  if (rc_pkg::HasTextures == 1) begin : gen_first
+    assign first = state_i.holes == '0;
+  end else begin : gen_always_first
+    assign first = 1'b1;
+  end
 
   assign arrives        = state_i.next_event == rc_pkg::EventArrive;
   assign has_material_o = arrives && found;
@@ -76,7 +83,7 @@ module rc_pass_begin #(
     known         = state_i;
     known.colour  = colour_o;
     known.pending = rc_pkg::PendingNone;
-    if (arrives && state_i.depth == '0 && state_i.sample == '0) begin
+    if (arrives && first && state_i.depth == '0 && state_i.sample == '0) begin
       known.found = found;
       known.prim  = prim;
       known.t     = t;

@@ -45,6 +45,7 @@ module rc_pass_end #(
   input  logic [rc_pkg::TBits-1:0]  path_i,
   input  logic [rc_pkg::UvBits-1:0] u_i,
   input  logic [rc_pkg::UvBits-1:0] v_i,
+  input  logic                     hole_i,   // the texture has a hole
   // With two levels, from rc_instance_space: a surface was transformed; the ray in the mesh's space
   input  logic                     transform_i,
   input  logic [3*OriginWidth-1:0] transform_o_i,
@@ -209,6 +210,15 @@ module rc_pass_end #(
   assign turned  = transform_i && home_i != '0;   // otherwise the result in the scene's space stays
   assign changes = {surf_i || turned, transform_i, surf_i, surf_i || is_texture, is_light};
 
+  // Through a hole of a texture the ray goes on, but not through more than a few.
+  logic goes_on;
+
+  if (rc_pkg::HasTextures == 1) begin : gen_holes
+    assign goes_on = is_texture && hole_i && begin_state_i.holes != '1;
+  end else begin : gen_no_holes
+    assign goes_on = 1'b0;
+  end
+
   rc_pkg::shade_state_t next;
 
   always_comb begin
@@ -234,10 +244,10 @@ module rc_pass_end #(
 
     if (is_texture) begin
       next.light      = '0;
-      next.next_event = after;
+      next.next_event = goes_on ? rc_pkg::EventArrive : after;
     end
 
-    if (is_arrive || escapes || is_texture) next.colour = colour;
+    if (is_arrive || escapes || (is_texture && !goes_on)) next.colour = colour;
 
     if (is_light) begin
       next.light      = light;
@@ -301,6 +311,8 @@ module rc_pass_end #(
       if (surf_i)       textured.path       = path_i;
       if (is_pop)       textured.path       = top_i.path;
       if (is_next)      textured.path       = '0;
+      if (goes_on)      textured.holes      = begin_state_i.holes + 1'b1;
+      if (is_pop || is_next || reflects) textured.holes = '0;
     end
 
     assign request.ray    = ray_i;
@@ -316,7 +328,7 @@ module rc_pass_end #(
     assign tex_req      = '0;
 
     logic unused;
-    assign unused = ^{path_i, u_i, v_i};
+    assign unused = ^{path_i, u_i, v_i, hole_i};
   end
 
   if (rc_pkg::Panes != 0) begin : gen_cell
@@ -339,7 +351,7 @@ module rc_pass_end #(
   end
 
   assign leave   = asks_texture ? rc_pkg::LeaveTexture
-                 : shadows || reflects || is_pop || is_next ? rc_pkg::LeaveSpawn
+                 : shadows || reflects || goes_on || is_pop || is_next ? rc_pkg::LeaveSpawn
                  : is_end ? rc_pkg::LeavePixel : rc_pkg::LeaveAgain;
 
   // ---- Rays. First the waiting ray, which rc_contexts pushes.

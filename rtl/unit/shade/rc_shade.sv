@@ -318,13 +318,13 @@ module rc_shade (
   logic                              material_valid;
   rc_pkg::material_t                 hit_material;
   logic [4:0]                        changes;
-  logic [3*rc_pkg::ColourBits-1:0]   texel;
+  logic [3*rc_pkg::ColourBits:0]     texel;
   logic [rc_pkg::TexReqW-1:0]        tex_req;
   logic [RayBits-1:0]                texel_ray;
-  logic [3*rc_pkg::ColourBits-1:0]   texel_came;
+  logic [3*rc_pkg::ColourBits:0]     texel_came;
 
   assign texel_ray  = tex_rsp_i.ray;
-  assign texel_came = tex_rsp_i.colour;
+  assign texel_came = {tex_rsp_i.hole, tex_rsp_i.colour};
   logic [1:0]                        leave;
   logic                              push;
   logic [rc_pkg::SpawnW-1:0]         spawn;

@@ -81,6 +81,7 @@ module rc_texel_address #(
   logic [3:0]                   s0_wraps, s3_wraps, s4_wraps;   // of s, of t
   logic [SideBits-1:0]          s3_width, s3_height, s5_width, s5_height, s5_last;
   logic                         s4_nearest, s5_nearest;
+  logic [7:0]                   s5_cutoff;
   logic [AddrBits-1:0]          s5_base;
 
   assign s0_sides = {s0.log_width, s0.log_height};
@@ -97,9 +98,9 @@ module rc_texel_address #(
     .clk_i, .enable_i(valid_q[4:3]), .data_i(s3_sides), .data_o(s5_sides));
   rc_shift_register #(.Width(1), .Stages(1)) u_nearest_5 (
     .clk_i, .enable_i(valid_q[4]), .data_i(s4_nearest), .data_o(s5_nearest));
-  rc_shift_register #(.Width(AddrBits + SideBits), .Stages(5)) u_base (
-    .clk_i, .enable_i({valid_q[4:1], valid_i}), .data_i({s0.base, s0.last_level}),
-    .data_o({s5_base, s5_last}));
+  rc_shift_register #(.Width(AddrBits + SideBits + 8), .Stages(5)) u_base (
+    .clk_i, .enable_i({valid_q[4:1], valid_i}), .data_i({s0.base, s0.last_level, s0.cutoff}),
+    .data_o({s5_base, s5_last, s5_cutoff}));
 
   assign {s3_width, s3_height} = s3_sides;
   assign {s5_width, s5_height} = s5_sides;
@@ -273,6 +274,7 @@ module rc_texel_address #(
   assign s5_place.y        = 2'(s5_row[TileY-1:0]);
   assign s5_place.weight_x = s5_nearest ? '0 : s5_x_q[TexelFrac-1:0];
   assign s5_place.weight_y = s5_nearest ? '0 : s5_y_q[TexelFrac-1:0];
+  assign s5_place.cutoff   = s5_cutoff;
 
   always_ff @(posedge clk_i) begin
     if (valid_q[5]) begin

@@ -1,8 +1,9 @@
 // From a line of texels to the colour at a hit: a bilinear filter of four texels in linear light,
-// rounded once. Weights of 0 give the nearest texel.
+// rounded once. Weights of 0 give the nearest texel. Where alpha, filtered in the same way, is
+// below the cut-off, the triangle has a hole.
 //
 // s1: the four texels. s2: their intensities. s3: filtered along the rows. s4: filtered along the
-// column. Latency TexFilterStages, one hit per cycle, no stall. Model: texel_colour() in
+// column. Latency TexFilterStages, one hit per cycle, no stall. Model: filter_texels() in
 // model/unit/tex/texel.hpp.
 `default_nettype none
 module rc_texel_filter #(
@@ -139,7 +140,38 @@ module rc_texel_filter #(
     assign unused = ^s3_sum;
   end
 
-  assign rsp_o = {ray, colour};
+  // ---- Alpha. It is compared in s4, without rounding.
+  localparam int unsigned AlphaW = 8 + 2 * Frac;   // filtered along both
+  logic [31:0]         s2_alpha_q;
+  logic [2*(8+Frac)-1:0] s3_alpha_q;
+  logic [AlphaW-1:0]   s3_alpha;
+  logic [7:0]          s3_cutoff;
+  logic                s4_hole_q;
+
+  rc_shift_register #(.Width(8), .Stages(3)) u_cutoff (
+    .clk_i, .enable_i({valid_q[2:1], valid_i}), .data_i(place_i.cutoff), .data_o(s3_cutoff));
+
+  for (genvar i = 0; i < 4; i++) begin : gen_alpha
+    always_ff @(posedge clk_i)
+      if (valid_q[1])
+        s2_alpha_q[i*8 +: 8] <= Wide ? s1_texels_q[i*TexelW +: 8] : {8{s1_texels_q[i*TexelW]}};
+  end
+
+  for (genvar i = 0; i < 2; i++) begin : gen_alpha_along
+    always_ff @(posedge clk_i)
+      if (valid_q[2])
+        s3_alpha_q[i*(8+Frac) +: 8+Frac] <=
+            (8+Frac)'(s2_alpha_q[2*i*8 +: 8]) * (8+Frac)'(s2_left)
+            + (8+Frac)'(s2_alpha_q[(2*i+1)*8 +: 8]) * (8+Frac)'(s2_weight_x);
+  end
+
+  assign s3_alpha = AlphaW'(s3_alpha_q[0 +: 8+Frac]) * AlphaW'(s3_above)
+                  + AlphaW'(s3_alpha_q[8+Frac +: 8+Frac]) * AlphaW'(s3_weight_y_q);
+
+  always_ff @(posedge clk_i)
+    if (valid_q[3]) s4_hole_q <= s3_alpha < {s3_cutoff, {(2*Frac){1'b0}}};
+
+  assign rsp_o = {ray, s4_hole_q, colour};
 
   logic unused;
   assign unused = ^line_i;

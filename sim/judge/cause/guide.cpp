@@ -433,10 +433,9 @@ void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& ow
     double clear = 2, dense = -1;   // alpha
     for (double y = first.y; y <= last.y; ++y)
         for (double x = first.x; x <= last.x; ++x) {
-            const glm::dvec3 colour = filtered(texture, glm::dvec2(x, y) / grid, level);
-            low = glm::min(low, colour), high = glm::max(high, colour);
-            const double alpha = alpha_of(texture, glm::dvec2(x, y) / grid, level);
-            clear = std::min(clear, alpha), dense = std::max(dense, alpha);
+            const glm::dvec4 found = filtered_with_alpha(texture, glm::dvec2(x, y) / grid, level);
+            low = glm::min(low, glm::dvec3(found)), high = glm::max(high, glm::dvec3(found));
+            clear = std::min(clear, found.a), dense = std::max(dense, found.a);
         }
     // The cut-off is rounded to a code.
     if (const bool is_hole = at->texture->is_hole; is_hole != own.is_hole) {
@@ -719,6 +718,7 @@ void Guide::enter(RefBounce::Interaction interaction) {
     const MachineVisit* at = visit();
     at_.push_back(!at                                                ? MachineVisit::none
                   : interaction == RefBounce::Interaction::reflected ? at->reflected
+                  : interaction == RefBounce::Interaction::passed    ? at->onward
                                                                      : at->refracted);
     if (at_.back() != MachineVisit::none) ++visited_;
 }

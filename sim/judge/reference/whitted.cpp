@@ -140,8 +140,8 @@ glm::dvec3 Tracer::picture(const RefPath& path, const RefClosest& hit, RefSurfac
                  std::abs(glm::dot(surface.normal, path.direction)),
                  glm::dvec3(0)};
     const double lod = level_of_detail(own.detail, own.distance, own.spread, own.cosine);
-    own.colour = filtered(texture, own.st, level_of(texture, lod));
-    own.alpha = alpha_of(texture, own.st, level_of(texture, lod));
+    const glm::dvec4 found = filtered_with_alpha(texture, own.st, level_of(texture, lod));
+    own.colour = glm::dvec3(found), own.alpha = found.a;
     own.is_hole = own.alpha < surface.material->cutoff;
     if (steer_) steer_->texel(hit, surface, own);
     surface.is_hole = own.is_hole;
