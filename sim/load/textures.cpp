@@ -45,6 +45,12 @@ private:
     std::map<std::uint32_t, glm::dvec3> averages_;
 };
 
+/// Frees the memory too.
+void drop_coordinates(PlacedScene& scene) {
+    scene.own.coordinates = std::vector<CornerCoordinates>();
+    for (SharedMesh& mesh : scene.meshes) mesh.coordinates = std::vector<CornerCoordinates>();
+}
+
 /// Settles the textures of one scene, mesh by mesh.
 class TextureSettler {
 public:
@@ -160,8 +166,8 @@ private:
 
     void clear() {
         for (Material& material : scene_.own.materials) material.texture.reset();
-        scene_.own.textures.clear(), scene_.own.coordinates.clear();
-        for (SharedMesh& mesh : scene_.meshes) mesh.coordinates.clear();
+        scene_.own.textures.clear();
+        drop_coordinates(scene_);
     }
 
     PlacedScene& scene_;
@@ -208,8 +214,7 @@ std::shared_ptr<const Pyramid> read_pyramid(const std::string& bytes, const std:
 
 void settle_textures(PlacedScene& scene, const std::string& where, Loading& loading) {
     if (scene.own.textures.empty()) {
-        scene.own.coordinates.clear();
-        for (SharedMesh& mesh : scene.meshes) mesh.coordinates.clear();
+        drop_coordinates(scene);
         return;
     }
     TextureSettler(scene, where, loading).settle();
