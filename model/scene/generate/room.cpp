@@ -1,6 +1,7 @@
 // A room of pictures: a tiled floor as far as the eye reaches, a papered wall, a framed picture over a
-// frieze, a box in large pixels, and a mirror that shows all of them. Its textures cover every mode of
-// wrapping and filtering. The pictures come from formulas. Everything is flat: there are no normals.
+// frieze, a box in large pixels, a plant whose picture has holes, and a mirror that shows all of them. Its
+// textures cover every mode of wrapping and filtering. The pictures come from formulas. Everything is flat:
+// there are no normals.
 #include "model/scene/generate/generate.hpp"
 
 #include <array>
@@ -15,16 +16,21 @@ namespace {
 
 using Colour = std::array<std::uint8_t, 3>;
 
-/// Returns a texture with the sRGB colours of paint(x, y).
-template <class Paint> Texture painted(const char* name, int width, int height, const Paint& paint) {
+/// Returns a texture with the sRGB colours of paint(x, y), which is opaque where is_there(x, y).
+template <class Paint, class IsThere>
+Texture painted(const char* name, int width, int height, const Paint& paint, const IsThere& is_there) {
     TexelLevel picture{width, height, {}};
     picture.texels.reserve(std::size_t(width) * std::size_t(height));
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const auto [r, g, b] = paint(x, y);
-            picture.texels.push_back({r, g, b, 255});
+            picture.texels.push_back({r, g, b, std::uint8_t(is_there(x, y) ? 255 : 0)});
         }
     return {.name = name, .pyramid = std::make_shared<const Pyramid>(make_pyramid(std::move(picture)))};
+}
+
+template <class Paint> Texture painted(const char* name, int width, int height, const Paint& paint) {
+    return painted(name, width, height, paint, [](int, int) { return true; });
 }
 
 std::uint8_t code(double value) { return std::uint8_t(std::lround(std::fmin(std::fmax(value, 0), 255))); }
@@ -92,6 +98,25 @@ Texture frieze() {
     });
 }
 
+/// A fern: nine fronds from the middle of the lower edge, with holes between their leaves.
+Texture fern() {
+    const auto is_there = [](int x, int y) {
+        const double along = 127 - y, across = x - 63.5, angle = std::atan2(across, along),
+                     length = std::hypot(across, along);
+        const double frond = std::round(angle / 0.3) * 0.3, off = (angle - frond) * length;
+        const bool is_stem = std::fabs(off) < 1.2;
+        const bool is_leaf =
+            std::fabs(off) < 0.09 * (118 - length) && std::fmod(length + std::fabs(off), 9) < 5.5;
+        return std::fabs(frond) < 1.3 && length < 118 && (is_stem || is_leaf);
+    };
+    return painted(
+        "fern", 128, 128,
+        [](int x, int y) {
+            return shaded({66, 132, 50}, (0.7 + 0.004 * (128 - y)) * grain(x, y, 0.2));
+        },
+        is_there);
+}
+
 /// A rectangle of coordinates: s from `left` to `right`, t from `top` to `bottom`.
 struct Extract {
     double left = 0, top = 0, right = 1, bottom = 1;
@@ -144,7 +169,7 @@ std::array<glm::dvec3, 4> foot(const glm::dvec3& middle, double width, double de
 
 }   // namespace
 
-std::uint64_t room_triangles(int) { return 2 * 5 + 2 * 2 * 5; }
+std::uint64_t room_triangles(int) { return 2 * 5 + 2 * 2 * 5 + 2 * 2; }
 
 Scene make_room(int) {
     Scene scene;
@@ -186,6 +211,15 @@ Scene make_room(int) {
     pixels.nearest = true;
     room.material(named("box"), pixels);
     room.block(foot({0.9, 0, 0.3}, 1, 1, 0.5), 1);
+    Texture plant = fern();
+    plant.wrap_s = plant.wrap_t = Wrap::clamp;
+    Material cut = named("plant");
+    cut.cutoff = 0.5;
+    room.material(cut, plant);
+    for (const double turn : {0.4, 1.97}) {
+        const auto at = foot({-0.75, 0, 1.3}, 1.3, 0, turn);
+        room.wall({at[0], at[1], at[1] + glm::dvec3(0, 1.3, 0), at[0] + glm::dvec3(0, 1.3, 0)});
+    }
     room.material({.name = "mirror",
                    .colour = glm::dvec3(0.8, 0.85, 0.9),
                    .ambient = 0.1,

@@ -141,6 +141,7 @@ void PathJudge::reflect(const PassIn& in, const PassOut& out) {
         return;
     }
     branch_ = bounce(s, weight, *start, d, false);
+    holes_ = 0;
     expect_spawn(out, branch_.ray);
     demand(ShadeEvent(out.state.next_event) == ShadeEvent::arrive,
            "a bounce that was sent is not waited for");

@@ -577,6 +577,7 @@ private:
         note_if(is_out_of_range(material.surface), "with values out of range, taken as the nearest within");
         Material made = material_of(material.surface, material.name);
         made.texture = texture;
+        if (texture && material.is_masked) made.cutoff = std::clamp(material.cutoff, 0.0, 1.0);
         note_if(!add_emission(made, glm::dvec3(material.surface.emission)), mixed_emission);
         return made;
     }

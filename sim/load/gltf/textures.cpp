@@ -58,7 +58,7 @@ std::optional<std::uint32_t> GltfTextures::texture(const GltfMaterial& material)
 
 void GltfTextures::take_opacity(GltfMaterial& material, std::uint32_t texture) const {
     material.surface.colour.a *= opacities_[texture];
-    count_opacity(material);
+    if (!material.blends) material.surface.colour.a = 1;   // a MASK has holes instead
 }
 
 /// Applies the sampler. Its numbers are those of OpenGL.

@@ -148,7 +148,7 @@ Material material_of(const JsonValue& in, Material material) {
 
 Material material_of_keys(const JsonValue& in, Material material) {
     in.only_keys({"colour", "ambient", "diffuse", "highlight", "shine", "mirror", "transmit", "index",
-                  "checkered", "other", "schlick", "texture"});
+                  "checkered", "other", "schlick", "texture", "cutoff"});
     if (const auto colour = in.find("colour")) material.colour = colour_of(*colour);
     if (const auto other = in.find("other")) material.other = colour_of(*other);
     weight(in, "ambient", material.ambient);
@@ -157,6 +157,7 @@ Material material_of_keys(const JsonValue& in, Material material) {
     at_least(in, "shine", material.shine, 0);
     weight(in, "mirror", material.mirror);
     weight(in, "transmit", material.transmit);
+    weight(in, "cutoff", material.cutoff);
     at_least(in, "index", material.index, 0.01);
     material.checkered = flag_or(in, "checkered", material.checkered);
     material.schlick = flag_or(in, "schlick", material.schlick);
