@@ -252,8 +252,9 @@ void check_units(const Scene& scene, const Config& config, const std::string& na
     if (!config.has_shade()) return;
     if (!scene.normals.empty() && !config.smooth) refuse("corner normals", "smooth");
     if (!scene.coordinates.empty() && config.has_instances())
-        throw UserError(name + ": textures are not drawn with levels=2; --no-textures draws their average "
-                               "colours, and --set levels=1 writes instances out");
+        throw UserError(name +
+                        ": textures are not drawn with levels=2; --no-textures draws their average "
+                        "colours, and --set levels=1 writes instances out");
     if (!scene.coordinates.empty() && !config.textures) refuse("textures", "textures");
     for (const Material& m : scene.materials)
         if (m.transmit > 0 && !config.refraction) refuse("a material that transmits", "refraction");

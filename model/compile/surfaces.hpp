@@ -30,11 +30,12 @@ Surface surface_of(const Scene& scene, const Lattice& lattice, const Config& con
 /// Throws UserError if the scene needs a unit that the configuration does not have.
 void check_units(const Scene& scene, const Config& config, const std::string& name);
 
-/// Appends the surfaces, a line each, to the image; with textures, also their texels and records. Throws UserError beyond the address range.
+/// Appends the surfaces, a line each, to the image; with textures, also their texels and records. Throws
+/// UserError beyond the address range.
 void write_surfaces(const Scene& scene, const Config& config, const std::string& name, MemoryImage& image);
 
-/// Returns the shading registers of a frame of this height. Throws UserError if the configuration has too few lights or
-/// bounces, or only one sample.
+/// Returns the shading registers of a frame of this height. Throws UserError if the configuration has too few
+/// lights or bounces, or only one sample.
 ShadeFrame make_shade_frame(const Scene& scene, const Whitted& settings, const MemoryImage& image,
                             std::uint32_t height, const Config& config);
 

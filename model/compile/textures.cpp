@@ -15,7 +15,9 @@ namespace rayclock {
 namespace {
 
 WrapMode mode_of(Wrap wrap) {
-    return wrap == Wrap::repeat ? WrapMode::repeat : wrap == Wrap::mirror ? WrapMode::mirror : WrapMode::clamp;
+    return wrap == Wrap::repeat   ? WrapMode::repeat
+           : wrap == Wrap::mirror ? WrapMode::mirror
+                                  : WrapMode::clamp;
 }
 
 /// Returns a logarithm with level_frac fraction bits, within the range of level_bits.
@@ -25,8 +27,8 @@ std::int32_t level_number(double log) {
     return std::int32_t(std::round(scaled > -most ? std::min(scaled, most) : -most));
 }
 
-/// Returns the number of the texel at `i` in a side, where i is at most one texel beyond the end. Tiles that are
-/// larger than the picture have more, which no filter reads.
+/// Returns the number of the texel at `i` in a side, where i is at most one texel beyond the end. Tiles that
+/// are larger than the picture have more, which no filter reads.
 int wrapped_texel(int i, int side, Wrap wrap) {
     return wrap == Wrap::repeat ? i % side : std::min(i, side - 1);
 }
@@ -41,14 +43,14 @@ void write_level(const TexelLevel& level, const Texture& texture, TexelFormat fo
             Line line{};
             for (int y = 0; y <= 1 << tile.log_height; ++y)
                 for (int x = 0; x <= 1 << tile.log_width; ++x) {
-                    const int from_x = wrapped_texel((column << tile.log_width) + x, level.width,
-                                                     texture.wrap_s),
-                              from_y = wrapped_texel((row << tile.log_height) + y, level.height,
-                                                     texture.wrap_t);
-                    put_texel(line, std::uint32_t(x), std::uint32_t(y),
-                              level.texels[std::size_t(from_y) * std::size_t(level.width) +
-                                           std::size_t(from_x)],
-                              format);
+                    const int from_x =
+                                  wrapped_texel((column << tile.log_width) + x, level.width, texture.wrap_s),
+                              from_y =
+                                  wrapped_texel((row << tile.log_height) + y, level.height, texture.wrap_t);
+                    put_texel(
+                        line, std::uint32_t(x), std::uint32_t(y),
+                        level.texels[std::size_t(from_y) * std::size_t(level.width) + std::size_t(from_x)],
+                        format);
                 }
             std::ranges::copy(line, words + std::size_t(row * columns + column) * words_per_line);
         }
@@ -62,7 +64,8 @@ TexRecord common_record(const Texture& texture, std::uint32_t base) {
     record.base = base;
     record.log_width = std::uint32_t(std::bit_width(unsigned(levels[0].width))) - 1;
     record.log_height = std::uint32_t(std::bit_width(unsigned(levels[0].height))) - 1;
-    record.wrap_s = std::uint32_t(mode_of(texture.wrap_s)), record.wrap_t = std::uint32_t(mode_of(texture.wrap_t));
+    record.wrap_s = std::uint32_t(mode_of(texture.wrap_s)),
+    record.wrap_t = std::uint32_t(mode_of(texture.wrap_t));
     record.nearest = texture.nearest;
     record.last_level = texture.mipmaps ? std::uint32_t(levels.size()) - 1 : 0;
     return record;
@@ -132,7 +135,8 @@ std::vector<std::uint32_t> write_textures(const Scene& scene, const Config& conf
 }
 
 std::int32_t spread_of(const Camera& camera, std::uint32_t height, int samples_per_side) {
-    return level_number(std::log2(sample_spread(camera.fov_degrees, int(height), samples_per_side)));
+    const double spread = sample_spread(camera.fov_degrees, int(height), samples_per_side);
+    return level_number(std::log2(spread) - length_bias);
 }
 
 }   // namespace rayclock

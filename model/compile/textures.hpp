@@ -11,13 +11,14 @@
 
 namespace rayclock {
 
-/// Returns the texture record of a triangle whose material has a texture. `base`: the first line of its texels.
+/// Returns the texture record of a triangle whose material has a texture. `base`: the first line of its
+/// texels.
 TexRecord record_of(const Scene& scene, const Lattice& lattice, const Config& config, std::uint32_t triangle,
                     std::uint32_t base);
 
-/// Appends the texels of all textures that triangles use to the image, then a record for each triangle that has
-/// one. Returns the line of each triangle's record, 0 without a texture; empty if there is none. Throws UserError
-/// beyond the address range.
+/// Appends the texels of all textures that triangles use to the image, then a record for each triangle that
+/// has one. Returns the line of each triangle's record, 0 without a texture; empty if there is none. Throws
+/// UserError beyond the address range.
 std::vector<std::uint32_t> write_textures(const Scene& scene, const Config& config, const std::string& name,
                                           MemoryImage& image);
 

@@ -75,9 +75,8 @@ int Config::clear_cycles() const {
 }
 int Config::client_bits() const { return index_bits(clients() * pipelines); }
 int Config::client_id_bits() const {
-    return client_bits() +
-           std::max({node_miss_bits(), prim_miss_bits(), surf_miss_bits(), stream_miss_bits(),
-                     tex_miss_bits()});
+    return client_bits() + std::max({node_miss_bits(), prim_miss_bits(), surf_miss_bits(), stream_miss_bits(),
+                                     tex_miss_bits()});
 }
 int Config::tile_coord_bits() const { return pixel_bits - tile_bits; }
 int Config::mem_id_bits() const { return l2_sets > 0 ? l2_miss_bits() : client_id_bits(); }

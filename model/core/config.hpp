@@ -43,22 +43,22 @@ constexpr int light_reach = 8;
 constexpr int plane_bits = 12;   ///< whole bits of a plane's u and v
 /// Steps in which a distant ray finds the lattice: model/unit/shade/approach.hpp.
 constexpr int approach_steps = 12;
-constexpr int max_lights = 64;      ///< maximum of Config::lights
-constexpr int most_fine = 4;        ///< maximum of Surface::fine
-constexpr int sample_bits = 6;      ///< a pixel's sample, 0..63
-constexpr int sub_pixel_bits = 8;   ///< fraction bits of a sample's place
-constexpr int depth_bits = 4;       ///< bounces of a camera ray, 0..15
+constexpr int max_lights = 64;        ///< maximum of Config::lights
+constexpr int most_fine = 4;          ///< maximum of Surface::fine
+constexpr int sample_bits = 6;        ///< a pixel's sample, 0..63
+constexpr int sub_pixel_bits = 8;     ///< fraction bits of a sample's place
+constexpr int depth_bits = 4;         ///< bounces of a camera ray, 0..15
 constexpr int coordinate_frac = 20;   ///< fraction bits of a texture coordinate, out of coordinate_bits
 constexpr int coordinate_bits = 28;
-constexpr int texel_frac = 8;     ///< fraction bits of a texture coordinate in texels
-constexpr int side_bits = 4;      ///< logarithm of a texture's side, 0..12
+constexpr int texel_frac = 8;   ///< fraction bits of a texture coordinate in texels
+constexpr int side_bits = 4;    ///< logarithm of a texture's side, 0..12
 constexpr int most_side_log = 12;
-constexpr int level_frac = 4;     ///< fraction bits of a texture's level and of logarithms of lengths
-constexpr int level_bits = 12;    ///< such a logarithm, signed
+constexpr int level_frac = 6;     ///< fraction bits of a texture's level and of logarithms of lengths
+constexpr int level_bits = 14;    ///< such a logarithm, signed
 constexpr int hole_bits = 6;      ///< holes of textures through which a ray has gone since its last bounce
 constexpr int length_bits = 7;    ///< fraction bits of a direction's length in a path's length
-constexpr int unit_stages = 8;      ///< latency of rtl/fixed/rc_unit.sv
-constexpr int power_stages = 7;     ///< latency of rc_power.sv
+constexpr int unit_stages = 8;    ///< latency of rtl/fixed/rc_unit.sv
+constexpr int power_stages = 7;   ///< latency of rc_power.sv
 
 /// Bits that a point of a plane beyond the lattice loses as a ray's origin: O' in docs/proofs/origins.md.
 constexpr int far_drop = light_reach + 1;

@@ -95,11 +95,11 @@ inline std::uint64_t radius_squared(const PrimData& sphere, int coord_bits) {
 /// How a texture continues beyond its edges.
 enum class WrapMode : std::uint32_t { repeat, mirror, clamp };
 
-/// The texture on a triangle: a line of memory (right-aligned), which Surface::record names. Coordinates s and
-/// t count pictures, t downwards.
+/// The texture on a triangle: a line of memory (right-aligned), which Surface::record names. Coordinates s
+/// and t count pictures, t downwards.
 struct TexRecord {
     std::array<std::int32_t, 3> s{}, t{};   ///< of the corners, coordinate_frac fraction bits
-    std::uint32_t base = 0;                 ///< first line of level 0; model/unit/tex/texel.hpp has the others
+    std::uint32_t base = 0;   ///< first line of level 0; model/unit/tex/texel.hpp has the others
     std::uint32_t log_width = 0, log_height = 0;   ///< logarithms of the sides of level 0, in texels
     std::uint32_t wrap_s = 0, wrap_t = 0;          ///< WrapMode
     std::uint32_t nearest = 0;                     ///< 1: the nearest texel; 0: bilinear
@@ -133,7 +133,7 @@ struct Surface {
     /// 2^-(B + fine) of an edge apart on it.
     std::uint32_t fine = 0;
     std::uint32_t record = 0;   ///< line of the triangle's TexRecord; 0: no texture
-    Vec3i a{}, b{}, c{};   ///< as in PrimData
+    Vec3i a{}, b{}, c{};        ///< as in PrimData
     /// For a smooth triangle: [3 * corner + axis], each normal at most 2^(corner_bits - 1) - 1 long. For a
     /// plane: normal[0] and [1] are phases, normal[2] and [3] bit numbers. Bit normal[2] of u + normal[0]
     /// 2^bary_bits selects the second square of a pair along u; bit normal[3] of v + normal[1] 2^bary_bits

@@ -125,8 +125,7 @@ void Pipeline::clock_tex(const Moves& m, std::uint64_t now, const SharedMoves& s
     tex_.clock(now, req.valid, req.fires, {came.fires && !texels, came.ray},
                {came.fires && texels, came.ray});
     if (req.fires) reads_texels_[req.ray] = !m[Link::tex_req].fires;
-    tex_outcome_ =
-        tex_cache_.clock(req.fires, {req.ray, line}, came.fires, shared.tex_fill, shared.tex_miss);
+    tex_outcome_ = tex_cache_.clock(req.fires, {req.ray, line}, came.fires, shared.tex_fill, shared.tex_miss);
     last_tex_ = std::uint32_t(tex_outcome_) | m.tex_code << 3;
     ++tex_cycles_[last_tex_];
 }
@@ -151,10 +150,11 @@ template <Pipeline::RayFeed feed, bool levels> void Pipeline::clock_shade(const 
     }
     const bool placed = came.fires & m.placing;
     if (placed) next(came.ray);
-    shade_.clock<levels, feed == RayFeed::textured>(now, closest, wants, {bool(came.fires & !m.placing), came.ray}, {placed, came.ray},
-                         m[Link::surf_req].fires, m[Link::spawn].fires, m[Link::hit].fires,
-                         {m[Link::tex_rsp].fires, m[Link::tex_rsp].ray}, m[Link::tex_req].fires,
-                         [this](std::uint32_t ray) { return turn_of<feed, levels>(ray); });
+    shade_.clock<levels, feed == RayFeed::textured>(
+        now, closest, wants, {bool(came.fires & !m.placing), came.ray}, {placed, came.ray},
+        m[Link::surf_req].fires, m[Link::spawn].fires, m[Link::hit].fires,
+        {m[Link::tex_rsp].fires, m[Link::tex_rsp].ray}, m[Link::tex_req].fires,
+        [this](std::uint32_t ray) { return turn_of<feed, levels>(ray); });
 }
 template void Pipeline::clock_shade<Pipeline::RayFeed::shade, false>(const Moves&, std::uint64_t);
 template void Pipeline::clock_shade<Pipeline::RayFeed::shade, true>(const Moves&, std::uint64_t);

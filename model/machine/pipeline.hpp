@@ -124,8 +124,8 @@ public:
     std::string where(std::uint32_t ray, std::uint64_t now) const;
 
 private:
-    /// The source of raygen's rays: the camera alone, the camera and shade (with or without textures), or records
-    /// in memory.
+    /// The source of raygen's rays: the camera alone, the camera and shade (with or without textures), or
+    /// records in memory.
     enum class RayFeed : std::uint8_t { camera, shade, textured, stream };
     static constexpr bool is_shaded(RayFeed feed) {
         return feed == RayFeed::shade || feed == RayFeed::textured;
@@ -142,10 +142,10 @@ private:
             return has_instances_ ? f.template operator()<feed, true>()
                                   : f.template operator()<feed, false>();
         };
-        return feed_ == RayFeed::shade    ? levels.template operator()<RayFeed::shade>()
+        return feed_ == RayFeed::shade      ? levels.template operator()<RayFeed::shade>()
                : feed_ == RayFeed::textured ? levels.template operator()<RayFeed::textured>()
-               : feed_ == RayFeed::stream ? levels.template operator()<RayFeed::stream>()
-                                          : levels.template operator()<RayFeed::camera>();
+               : feed_ == RayFeed::stream   ? levels.template operator()<RayFeed::stream>()
+                                            : levels.template operator()<RayFeed::camera>();
     }
     /// The position of a context's ray in the trace.
     struct TraceCursor {

@@ -29,7 +29,7 @@ constexpr Cause stalled(const char* by) { return {CauseKind::stalled, by}; }
 /// When a part of the machine exists.
 enum class Presence : std::uint8_t {
     always,
-    shade,    // the unit shade and its cache
+    shade,   // the unit shade and its cache
     textures,
     stream,   // rays from records
     shared_cache,

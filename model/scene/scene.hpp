@@ -32,8 +32,8 @@ struct Material {
     /// Index into Scene::textures: the picture multiplies `colour` on triangles. On spheres and planes it is
     /// not drawn; a loader gives them a material in the picture's average colour.
     std::optional<std::uint32_t> texture{};
-    /// A triangle has a hole where its texture's alpha is less. 0: it has none. Only finished pictures show holes,
-    /// and shadows are those of whole triangles.
+    /// A triangle has a hole where its texture's alpha is less. 0: it has none. Only finished pictures show
+    /// holes, and shadows are those of whole triangles.
     double cutoff = 0;
 };
 

@@ -144,10 +144,10 @@ ShadeState fresh_state(std::uint32_t x, std::uint32_t y);
 struct PassIn {
     std::uint32_t ray = 0;
     ShadeState state;
-    Closest hit;       ///< the last ray's answer
-    Vec3i o{}, d{};    ///< of the last camera ray or bounce
-    Surface surface;   ///< of an arrive event with a hit
-    Waiting top;       ///< of a pop event: the stack's top
+    Closest hit;                            ///< the last ray's answer
+    Vec3i o{}, d{};                         ///< of the last camera ray or bounce
+    Surface surface;                        ///< of an arrive event with a hit
+    Waiting top;                            ///< of a pop event: the stack's top
     std::array<std::uint32_t, 3> texel{};   ///< of a texture event: TexRsp::colour
     std::uint32_t hole = 0;                 ///< of a texture event: as in TexRsp
     /// With two levels: the instance that was hit last. Only `here`, a and b are used.

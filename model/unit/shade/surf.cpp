@@ -158,9 +158,9 @@ std::array<std::uint32_t, 3> apply_texture(const std::array<std::uint32_t, 3>& t
 std::uint32_t path_to(const PassIn& in, const Config& c) {
     std::array<std::uint32_t, 3> size{};
     for (std::size_t k = 0; k < 3; ++k) size[k] = std::uint32_t(std::abs(in.d[k]));
-    const std::uint32_t longest = std::max({size[0], size[1], size[2]}),
-                        others = size[0] + size[1] + size[2] - longest;
-    const std::uint64_t length = (longest + (others >> 2)) >> (c.dir_bits - 1 - length_bits);
+    std::ranges::sort(size);
+    const std::uint32_t sum = size[2] + (size[1] >> 2) + (size[1] >> 3) + (size[0] >> 2) + (size[0] >> 4);
+    const std::uint64_t length = sum >> (c.dir_bits - 1 - length_bits);
     const std::uint64_t path = in.state.path + (length * in.hit.t >> length_bits);
     return std::uint32_t(std::min<std::uint64_t>(path, (1u << c.t_bits()) - 1));
 }

@@ -18,9 +18,9 @@ namespace rayclock {
 /// A hit of a texture leaves for tex, and makes its next pass when the colour has come.
 ///
 /// The pipeline accepts surfaces first, then contexts that need another pass, then those whose texture has
-/// come, then those whose ray hit nothing or was a shadow ray. Its answers are always accepted: a context continues with its next ray, its
-/// pixel's end, or another pass. In a fast chip the unit sees a ray's answer two cycles after its arrival.
-/// Mirror of rtl/unit/shade/rc_shade.sv.
+/// come, then those whose ray hit nothing or was a shadow ray. Its answers are always accepted: a context
+/// continues with its next ray, its pixel's end, or another pass. In a fast chip the unit sees a ray's answer
+/// two cycles after its arrival. Mirror of rtl/unit/shade/rc_shade.sv.
 class Shade {
 public:
     enum class Leave : std::uint8_t { again, spawn, pixel, texture };
@@ -73,23 +73,23 @@ public:
 
     const char* where(std::uint32_t ray) const {
         const auto r = RayNumber(ray);
-        return fetch_.contains(r) || places_.contains(r)    ? "shade: waits for the link to surf_cache"
+        return fetch_.contains(r) || places_.contains(r) ? "shade: waits for the link to surf_cache"
                : arrived_.contains(r) || again_.contains(r) || textured_.contains(r)
                    ? "shade: waits for a pass"
-               : textures_.contains(r)                      ? "shade: waits for tex"
-               : pass_.contains(r)                          ? "shade: in a pass"
-               : spawns_.contains(r)                        ? "shade: waits for raygen"
-               : pixels_.contains(r)                        ? "shade: waits for its pixel to be taken"
-               : is_coming(ray)                             ? "shade: has just got its answer"
-                                                            : nullptr;
+               : textures_.contains(r) ? "shade: waits for tex"
+               : pass_.contains(r)     ? "shade: in a pass"
+               : spawns_.contains(r)   ? "shade: waits for raygen"
+               : pixels_.contains(r)   ? "shade: waits for its pixel to be taken"
+               : is_coming(ray)        ? "shade: has just got its answer"
+                                       : nullptr;
     }
 
     /// The next need of a ray after its answer.
     enum class Wants : std::uint8_t { nothing, surface, place };
     /// One clock edge. `closest`, `wants`: the ray whose answer arrived, and its need. `surface`, `place`:
     /// the rays whose surface and whose instance arrived. The last flags: these outputs were accepted.
-    /// `textured`: the ray whose texture's colour came; `texture_taken`: tex accepted a hit. `turn(ray)` returns
-    /// the outcome of a pass.
+    /// `textured`: the ray whose texture's colour came; `texture_taken`: tex accepted a hit. `turn(ray)`
+    /// returns the outcome of a pass.
     template <bool levels = false, bool textures = false, class Decide>
     void clock(std::uint64_t now, LinkRay closest, Wants wants, LinkRay surface, LinkRay place,
                bool surf_taken, bool spawn_taken, bool pixel_taken, LinkRay textured, bool texture_taken,

@@ -4,6 +4,9 @@
 #include <bit>
 #include <cmath>
 
+#include "model/unit/shade/dot.hpp"
+#include "model/unit/shade/tables.hpp"
+
 namespace rayclock {
 
 namespace {
@@ -58,11 +61,23 @@ std::uint32_t texture_lines(const TexRecord& record, TexelFormat format) {
     return end;
 }
 
+const std::array<std::uint32_t, 1 << log_index_bits>& log_fractions() {
+    static const std::array<std::uint32_t, 1 << log_index_bits> fractions = [] {
+        constexpr std::size_t step = log_entries >> log_index_bits;
+        std::array<std::uint32_t, 1 << log_index_bits> found{};
+        for (std::size_t i = 0; i < found.size(); ++i)
+            found[i] = rounded(log_table()[step * i + step / 2].value, log_value_bits - level_frac);
+        return found;
+    }();
+    return fractions;
+}
+
 std::uint32_t log_of(std::uint32_t x) {
     if (x == 0) return 0;
     const int whole = int(std::bit_width(x)) - 1;
-    const std::uint64_t part = (std::uint64_t(x) << level_frac >> whole) & ((1u << level_frac) - 1);
-    return std::uint32_t(whole) << level_frac | std::uint32_t(part);
+    const auto index =
+        std::uint32_t(std::uint64_t(x) << log_index_bits >> whole) & ((1u << log_index_bits) - 1);
+    return std::uint32_t(whole << level_frac) + log_fractions()[index];
 }
 
 std::uint32_t level_of(const TexReq& hit, const TexRecord& record, std::int32_t spread) {
@@ -73,7 +88,8 @@ std::uint32_t level_of(const TexReq& hit, const TexRecord& record, std::int32_t 
     return std::uint32_t(std::clamp(rounded, 0, std::int32_t(record.last_level)));
 }
 
-TexelPlace texel_place(const TexReq& hit, const TexRecord& record, std::int32_t spread, const Config& config) {
+TexelPlace texel_place(const TexReq& hit, const TexRecord& record, std::int32_t spread,
+                       const Config& config) {
     TexelPlace place;
     place.cutoff = record.cutoff;
     place.level = level_of(hit, record, spread);
@@ -90,8 +106,8 @@ TexelPlace texel_place(const TexReq& hit, const TexRecord& record, std::int32_t 
     const std::uint32_t column = x >> texel_frac, row = y >> texel_frac;
     place.x = column & ((1u << tile.log_width) - 1);
     place.y = row & ((1u << tile.log_height) - 1);
-    const std::uint32_t tile_number = (row >> tile.log_height << std::max(log_width - tile.log_width, 0)) +
-                                      (column >> tile.log_width);
+    const std::uint32_t tile_number =
+        (row >> tile.log_height << std::max(log_width - tile.log_width, 0)) + (column >> tile.log_width);
     place.line = (record.base + level_offset(record, place.level, config.texels) + tile_number) &
                  ((1u << config.addr_bits) - 1);
     return place;

@@ -1,9 +1,9 @@
 #pragma once
 // The layout of textures in memory, and the work of the unit tex on one hit. unit.hpp has its timing.
 //
-// A level's texels lie in tiles, row by row, a tile in each line of memory. A tile of rgb888 has 4 x 2 texels,
-// one of rgb565 4 x 4. A line also holds the texels to the right of its tile and below it, as the texture's
-// wrap mode gives them. So the four texels of a bilinear filter always lie in one line.
+// A level's texels lie in tiles, row by row, a tile in each line of memory. A tile of rgb888 has 4 x 2
+// texels, one of rgb565 4 x 4. A line also holds the texels to the right of its tile and below it, as the
+// texture's wrap mode gives them. So the four texels of a bilinear filter always lie in one line.
 #include "model/core/payloads.hpp"
 
 namespace rayclock {
@@ -26,15 +26,20 @@ constexpr int lines_log(int log_width, int log_height, TexelFormat format) {
     const TileShape tile = tile_shape(format);
     return std::max(log_width - tile.log_width, 0) + std::max(log_height - tile.log_height, 0);
 }
-/// Returns the first line of a level, counted from that of level 0. A level of 2^e lines, e > 0, begins 2^e + 2
-/// lines after the end of level 0. Levels of one line, at most three, come before these, the smallest first.
+/// Returns the first line of a level, counted from that of level 0. A level of 2^e lines, e > 0, begins 2^e +
+/// 2 lines after the end of level 0. Levels of one line, at most three, come before these, the smallest
+/// first.
 std::uint32_t level_offset(const TexRecord& record, std::uint32_t level, TexelFormat format);
 /// Returns the lines from the first line of level 0 to the end of the last one.
 std::uint32_t texture_lines(const TexRecord& record, TexelFormat format);
 
-/// Returns log2(x) with level_frac fraction bits, rounded down, by linear interpolation between powers of two
-/// (Mitchell 1962). It is at most 0.09 too small before rounding. log2(0) counts as 0.
+/// Returns log2(x) with level_frac fraction bits, for x from 0 to 2^32 - 1. A table has the fraction for the
+/// five bits below the highest one: the logarithm in the middle of their range, rounded to nearest. The error
+/// is below 0.031. log2(0) counts as 0.
 std::uint32_t log_of(std::uint32_t x);
+constexpr int log_index_bits = 5;
+/// Returns the fraction for each value of these bits.
+const std::array<std::uint32_t, 1 << log_index_bits>& log_fractions();
 
 /// The place of a hit in a texture.
 struct TexelPlace {
@@ -64,8 +69,8 @@ TexelPlace texel_place(const TexReq& hit, const TexRecord& record, std::int32_t 
 /// Returns a channel's intensity, share_bits fraction bits, for an sRGB code (IEC 61966-2-1), rounded to
 /// nearest.
 const std::array<std::uint32_t, 256>& srgb_table();
-/// Returns the colour of a bilinear filter, rounded once, to nearest. Weights of 0 give the nearest texel. Alpha is
-/// filtered in the same way and compared with the cut-off, without rounding. Mirror of
+/// Returns the colour of a bilinear filter, rounded once, to nearest. Weights of 0 give the nearest texel.
+/// Alpha is filtered in the same way and compared with the cut-off, without rounding. Mirror of
 /// rtl/unit/tex/rc_texel_filter.sv.
 TexRsp filter_texels(const Line& line, const TexelPlace& place, TexelFormat format);
 

@@ -1,7 +1,7 @@
 // The length of the path from the eye to a hit, for the level of its texture: path + t |d|, rounded
-// down and saturated. |d| counts as its largest component plus a quarter of the others. Part of
-// rc_pass, which has the valid bits; the result is in the registers of s3. Model: path_to() in
-// model/unit/shade/surf.hpp.
+// down and saturated. |d| counts as its largest component plus 3/8 of the second and 5/16 of the
+// smallest. Part of rc_pass, which has the valid bits; the result is in the registers of s3. Model:
+// path_to() in model/unit/shade/surf.hpp.
 `default_nettype none
 module rc_path_length #(
   localparam int unsigned M     = rc_pkg::DirBits,
@@ -22,8 +22,8 @@ module rc_path_length #(
 
   // s1: |d|, in units of 2^(M-1).
   logic [M-1:0] size [3];   // 2^(M-1) is possible
-  logic [M-1:0] longest;
-  logic [M+1:0] all, length;
+  logic [M-1:0] larger, smaller, longest, second, shortest;   // of the first two; of all
+  logic [M+1:0] length;
   logic [LengthW-1:0] s1_length_q;
   logic [TBits-1:0]   s1_t_q, s2_path;
 
@@ -34,10 +34,13 @@ module rc_path_length #(
     assign size[k] = d[M-1] ? -d : d;
   end
 
-  assign longest = size[0] >= size[1] && size[0] >= size[2] ? size[0]
-                 : size[1] >= size[2] ? size[1] : size[2];
-  assign all     = {2'b0, size[0]} + {2'b0, size[1]} + {2'b0, size[2]};
-  assign length  = {2'b0, longest} + ((all - {2'b0, longest}) >> 2);
+  assign larger   = size[0] > size[1] ? size[0] : size[1];
+  assign smaller  = size[0] > size[1] ? size[1] : size[0];
+  assign longest  = larger > size[2] ? larger : size[2];
+  assign second   = larger <= size[2] ? larger : smaller > size[2] ? smaller : size[2];
+  assign shortest = smaller < size[2] ? smaller : size[2];
+  assign length   = {2'b0, longest} + {4'b0, second[M-1:2]} + {5'b0, second[M-1:3]}
+                  + {4'b0, shortest[M-1:2]} + {6'b0, shortest[M-1:4]};
 
   // s2: the product. s3: the sum.
   logic [ProductW-1:0]          s1_product, s2_product_q;
@@ -63,6 +66,6 @@ module rc_path_length #(
   end
 
   logic unused;
-  assign unused = ^s2_product_q;
+  assign unused = ^{s2_product_q, second, shortest};
 endmodule
 `default_nettype wire

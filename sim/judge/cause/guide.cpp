@@ -392,10 +392,10 @@ glm::dvec3 Guide::square(const RefClosest& hit, const Material& material, const 
     return own;
 }
 
-/// The machine rounds the weights of the corners, the coordinates, and the place in texels down. It finds the level
-/// from logarithms of 4 fraction bits. Its length of a path is at most 13.4 % too small or 6.1 % too large:
-/// 0.21 or 0.09 of a level. Each of its three logarithms adds up to 0.09 + 1/16 (the cosine's half of that), its two
-/// registers 1/32 each, and |d| of 7 bits another 0.03.
+/// The machine rounds the weights of the corners, the coordinates, and the place in texels down. It finds the
+/// level from logarithms of 6 fraction bits. Its length of a path has an error of 0.098 of a level, and of
+/// another 0.023 because |d| has 7 bits. The logarithm of the path adds 0.031, that of the cosine half of
+/// this and 1/128, and the two registers 1/128 each.
 void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& own) {
     const MachineVisit* at = visit();
     if (!at || !at->hit.found || at->hit.prim != hit.primitive) return;
@@ -407,12 +407,12 @@ void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& ow
                  v = std::ldexp(double(at->hit.v), -config.bary_bits);
     const glm::dvec2 st = (1 - u - v) * a + u * b + v * c;
     const glm::dvec2 edges = glm::abs(b - a) + glm::abs(c - a);
-    if (glm::any(glm::greaterThan(glm::abs(st - own.st),
-                                  4 * std::exp2(-config.bary_bits) * edges + 0x1p-18)) &&
+    if (glm::any(
+            glm::greaterThan(glm::abs(st - own.st), 4 * std::exp2(-config.bary_bits) * edges + 0x1p-18)) &&
         !is_substituted_)
         fail("a texture is drawn with other coordinates than the triangle's at the hit");
 
-    constexpr double level_error = 0.55, cosine_error_of_level = 0x1p-12;
+    constexpr double level_error = 0.2, cosine_error_of_level = 0x1p-12;
     const auto level = int(at->texture->place.level);
     const auto detail = [&](double cosine) {
         return level_of_detail(own.detail, own.distance, own.spread, std::max(cosine, 0.0));
@@ -427,8 +427,9 @@ void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& ow
     // All places that rounding allows, on the machine's grid of 256ths of a texel.
     const TexelLevel& picture =
         texture.pyramid->levels[std::min(std::size_t(level), texture.pyramid->levels.size() - 1)];
-    const glm::dvec2 grid(256.0 * picture.width, 256.0 * picture.height), moved = 0x1p-19 * grid,
-        first = glm::floor(st * grid - moved), last = glm::floor(st * grid + moved) + 1.0;
+    const glm::dvec2 grid(256.0 * picture.width, 256.0 * picture.height),
+        moved = 0x1p-19 * grid, first = glm::floor(st * grid - moved),
+        last = glm::floor(st * grid + moved) + 1.0;
     glm::dvec3 low(2), high(-1), seen(0);
     double clear = 2, dense = -1;   // alpha
     for (double y = first.y; y <= last.y; ++y)
@@ -458,8 +459,8 @@ void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& ow
     const Scene& given = rules_.inputs.scene;
     const Texture& whole = given.textures[*surface.material->texture];
     const glm::dvec3 exact = filtered(whole, own.st, level_of(whole, detail(own.cosine)));
-    finding_.has_texture |= glm::any(glm::greaterThan(
-        glm::abs(seen - exact) * surface.material->colour, glm::dvec3(2 * unit)));
+    finding_.has_texture |=
+        glm::any(glm::greaterThan(glm::abs(seen - exact) * surface.material->colour, glm::dvec3(2 * unit)));
 }
 
 void Guide::place(RefSurface& surface) {

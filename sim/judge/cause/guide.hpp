@@ -45,7 +45,7 @@ struct GuideFinding {
     std::uint32_t ties = 0;
     bool has_horizon = false, has_seam = false;
     bool has_texture = false;   ///< a texture's coordinates, level or texels are rounded
-    bool has_lost = false; ///< a point lies too far beyond the lattice for the machine's numbers
+    bool has_lost = false;      ///< a point lies too far beyond the lattice for the machine's numbers
 };
 
 class Guide final : public RefSteer {

@@ -27,15 +27,17 @@ struct MachineVisit {
     static constexpr int none = -1;
     Ray ray;
     Closest hit;
-    Surface surface;    ///< from memory, if something was hit
-    /// After the surface has arrived, and has been turned if there are two levels; its albedo has the texture.
+    Surface surface;   ///< from memory, if something was hit
+    /// After the surface has arrived, and has been turned if there are two levels; its albedo has the
+    /// texture.
     ShadeState state;
     std::optional<MachineTexture> texture;
     Placement placement;
     std::vector<MachineLight> lights;
     /// A bounce was due but misses the lattice. No ray was sent, and it added the background.
     bool is_reflected_past = false, is_refracted_past = false;
-    int parent = none, reflected = none, refracted = none, onward = none;   ///< indices in MachinePath::visits
+    int parent = none, reflected = none, refracted = none, onward = none;   ///< indices in
+                                                                            ///< MachinePath::visits
 };
 
 /// Watches a Shader from the first ray of a pixel to its colour.

@@ -56,7 +56,8 @@ std::shared_ptr<const Pyramid> with_short_codes(Pyramid pyramid) {
     };
     for (TexelLevel& level : pyramid.levels)
         for (auto& [red, green, blue, alpha] : level.texels)
-            red = shortened(red, 31), green = shortened(green, 63), blue = shortened(blue, 31);
+            red = shortened(red, 31), green = shortened(green, 63), blue = shortened(blue, 31),
+            alpha = alpha >= 128 ? 255 : 0;
     return std::make_shared<const Pyramid>(std::move(pyramid));
 }
 

@@ -85,7 +85,7 @@ private:
         Surface surface;
         glm::dvec3 normal{0}, view{0};   ///< unit vectors
         bool is_far = false, is_lost = false;
-        std::uint32_t pane = 0;               ///< the surface's bit in a cell
+        std::uint32_t pane = 0;   ///< the surface's bit in a cell
         bool is_textured = false;
         double ratio = 1;                     ///< refractive index on the ray's side over that on the other
         double normal_error = vector_error;   ///< error bound of the chip's unit normal
@@ -196,7 +196,7 @@ private:
     Colour sum_{}, least_{}, most_{};
     Light exact_sum_{};
     std::uint32_t sample_ = 0;
-    std::uint32_t path_ = 0;   ///< with textures: length of the path so far
+    std::uint32_t path_ = 0;        ///< with textures: length of the path so far
     std::uint32_t holes_ = 0;       ///< of textures, through which the ray has gone
     std::optional<TexRsp> texel_;   ///< the last answer of tex
     Colour pixel_{};

@@ -16,11 +16,13 @@ bool is_nearest(std::int64_t number, double value, double error = 0) {
     return std::abs(double(number) - value) <= 0.5 + error + slack;
 }
 
-/// Returns log2(x) in 16ths, linear between powers of two and rounded down; 0 for 0.
-std::int64_t sixteenths(std::uint64_t x) {
+/// Returns log2(x) in 64ths, by the middle of the 32 parts of each octave; 0 for 0.
+std::int64_t log_in_64ths(std::uint64_t x) {
+    if (x == 0) return 0;
     std::int64_t whole = 0;
     while (x >> whole > 1) ++whole;
-    return x == 0 ? 0 : 16 * whole + std::int64_t((Int128(16) * (Int128(x) - (Int128(1) << whole))) >> whole);
+    const double part = std::floor(std::ldexp(double(x), 5 - int(whole))) - 32;
+    return 64 * whole + std::llround(64 * std::log2(1 + (part + 0.5) / 32));
 }
 
 /// Returns the intensity of a code, in units of 2^-12.
@@ -71,15 +73,17 @@ const char* judge_record(const FrameInputs& inputs, std::size_t triangle, const 
             !is_nearest(record.t[k], std::ldexp(corners[k].y, 20)))
             return "memory does not hold the texture coordinates of the triangle that was hit";
     const std::vector<TexelLevel>& levels = texture.pyramid->levels;
-    const auto mode = [](Wrap wrap) { return std::uint32_t(wrap); };   // the same order: repeat, mirror, clamp
+    const auto mode = [](Wrap wrap) { return std::uint32_t(wrap); };   // the same order: repeat, mirror,
+                                                                       // clamp
     if (levels[0].width != 1 << record.log_width || levels[0].height != 1 << record.log_height ||
         record.wrap_s != mode(texture.wrap_s) || record.wrap_t != mode(texture.wrap_t) ||
         (record.nearest != 0) != texture.nearest ||
         record.last_level != (texture.mipmaps ? levels.size() - 1 : 0))
         return "memory does not hold the texture of the triangle that was hit";
     const double cutoff = inputs.scene.materials[inputs.scene.triangles[triangle].material].cutoff;
-    const bool holds_cutoff = cutoff > 0 ? record.cutoff > 0 && is_nearest(record.cutoff, std::max(255 * cutoff, 1.0))
-                                         : record.cutoff == 0;
+    const bool holds_cutoff =
+        cutoff > 0 ? record.cutoff > 0 && is_nearest(record.cutoff, std::max(255 * cutoff, 1.0))
+                   : record.cutoff == 0;
     if (!holds_cutoff) return "memory does not hold the cut-off of the texture that was hit";
     // Half the logarithm of the quotient of two areas.
     const auto& v = inputs.scene.triangles[triangle].vertex;
@@ -88,11 +92,11 @@ const char* judge_record(const FrameInputs& inputs, std::size_t triangle, const 
     const glm::dvec2 e1 = corners[1] - corners[0], e2 = corners[2] - corners[0];
     const double texels = std::abs(e1.x * e2.y - e1.y * e2.x) * levels[0].width * levels[0].height;
     const double most = std::exp2(level_bits - 1) - 1;
-    const double density = texels > 0 && area > 0 ? 8 * (std::log2(texels) - std::log2(area)) -
-                                                        16 * inputs.config.t_frac_bits
-                                                  : -most;
+    const double density = texels > 0 && area > 0
+                               ? 32 * (std::log2(texels) - std::log2(area)) - 64 * inputs.config.t_frac_bits
+                               : -most;
     // Corners of large triangles have moved by up to 2^-13 of an edge.
-    if (!is_nearest(record.density, std::clamp(density, -most, most), 0.02))
+    if (!is_nearest(record.density, std::clamp(density, -most, most), 0.05))
         return "memory does not hold the density of the texture that was hit";
     return nullptr;
 }
@@ -109,7 +113,9 @@ std::uint32_t path_length(std::uint32_t before, const Vec3i& d, std::uint32_t t,
     std::array<Int128, 3> size{};
     for (std::size_t k = 0; k < 3; ++k) size[k] = d[k] < 0 ? -Int128(d[k]) : Int128(d[k]);
     std::sort(size.begin(), size.end());
-    const Int128 length = floor_of(size[2] + floor_of(size[0] + size[1], 4), Int128(1) << (config.dir_bits - 8));
+    const Int128 length = floor_of(
+        size[2] + floor_of(size[1], 4) + floor_of(size[1], 8) + floor_of(size[0], 4) + floor_of(size[0], 16),
+        Int128(1) << (config.dir_bits - 8));
     const Int128 path = before + floor_of(length * t, 128), most = (Int128(1) << config.t_bits()) - 1;
     return std::uint32_t(path < most ? path : most);
 }
@@ -117,7 +123,7 @@ std::uint32_t path_length(std::uint32_t before, const Vec3i& d, std::uint32_t t,
 bool is_spread(const FrameInputs& inputs, int samples_per_side) {
     constexpr double half_degree = 3.14159265358979323846 / 360;
     const double width = 2 * std::tan(inputs.camera.fov_degrees * half_degree) / inputs.frame.height;
-    return is_nearest(inputs.frame.shade.spread, 16 * std::log2(width / samples_per_side));
+    return is_nearest(inputs.frame.shade.spread, 64 * (std::log2(width / samples_per_side) - 0.057));
 }
 
 const char* judge_texture(const FrameInputs& inputs, std::size_t triangle, const TexReq& hit,
@@ -126,9 +132,9 @@ const char* judge_texture(const FrameInputs& inputs, std::size_t triangle, const
     if (!texture) return "a surface without a texture was drawn with one";
     if (const char* wrong = judge_record(inputs, triangle, *texture, record)) return wrong;
 
-    const std::int64_t slant = (16 * unit_bits - sixteenths(hit.cosine)) / 2;
-    const std::int64_t detail = record.density + inputs.frame.shade.spread + sixteenths(hit.path) + slant;
-    const Int128 level = std::clamp<Int128>(floor_of(detail + 8, 16), 0, Int128(record.last_level));
+    const std::int64_t slant = (64 * unit_bits - log_in_64ths(hit.cosine)) / 2;
+    const std::int64_t detail = record.density + inputs.frame.shade.spread + log_in_64ths(hit.path) + slant;
+    const Int128 level = std::clamp<Int128>(floor_of(detail + 32, 64), 0, Int128(record.last_level));
     if (Int128(place.level) != level) return "a texture's level is not the one of the hit's distance";
 
     const TexelLevel& picture = texture->pyramid->levels[std::size_t(level)];

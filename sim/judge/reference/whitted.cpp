@@ -128,17 +128,15 @@ void Tracer::on_plane(const RefClosest& hit, RefSurface& surface) const {
     if (steer_) surface.colour = steer_->square(hit, *surface.material, surface.colour);
 }
 
-/// Returns the factor of a triangle's colour: that of its texture, or 1. Finds out whether the texture has a hole.
+/// Returns the factor of a triangle's colour: that of its texture, or 1. Finds out whether the texture has a
+/// hole.
 glm::dvec3 Tracer::picture(const RefPath& path, const RefClosest& hit, RefSurface& surface) const {
     if (!surface.material->texture || scene_.coordinates.empty()) return glm::dvec3(1);
     const Texture& texture = scene_.textures[*surface.material->texture];
     const auto& [a, b, c] = scene_.coordinates[hit.primitive];
-    RefTexel own{(1 - hit.u - hit.v) * a + hit.u * b + hit.v * c,
-                 texture_detail(scene_, hit.primitive),
-                 surface.travelled / geometry_.space().scale,
-                 spread_,
-                 std::abs(glm::dot(surface.normal, path.direction)),
-                 glm::dvec3(0)};
+    RefTexel own{(1 - hit.u - hit.v) * a + hit.u * b + hit.v * c,    texture_detail(scene_, hit.primitive),
+                 surface.travelled / geometry_.space().scale,        spread_,
+                 std::abs(glm::dot(surface.normal, path.direction)), glm::dvec3(0)};
     const double lod = level_of_detail(own.detail, own.distance, own.spread, own.cosine);
     const glm::dvec4 found = filtered_with_alpha(texture, own.st, level_of(texture, lod));
     own.colour = glm::dvec3(found), own.alpha = found.a;

@@ -171,8 +171,8 @@ void Film::next() {
 
 void Film::set_registers() {
     if (job_.config.shading)   // lights move too
-        job_.frame.shade = make_shade_frame(request_.scene, request_.settings, job_.image, std::uint32_t(job_.size.height),
-                                            job_.config);
+        job_.frame.shade = make_shade_frame(request_.scene, request_.settings, job_.image,
+                                            std::uint32_t(job_.size.height), job_.config);
     job_.frame = job_frame(job_, camera());
 }
 

@@ -252,8 +252,7 @@ void parts(Package& p, const Config& config) {
     p.part<Placement>("shade_place", {"here", "a", "b"}, shading);
     p.part<ShadeState>("shade_pixel", {"x", "y"});
     p.part<ShadeState>("shade_every", {"next_event", "pending", "found", "prim", "t", "u", "v", "colour",
-                                       "weight", "depth", "light", "in_cell", "across", "path",
-                                       "holes"});
+                                       "weight", "depth", "light", "in_cell", "across", "path", "holes"});
     p.part<ShadeState>("shade_point", {"o", "normal", "view", "cosine"});
     p.part<ShadeState>("shade_face", {"n", "is_far", "is_lost", "albedo"});
     p.part<ShadeState>("shade_share", {"share"});
@@ -262,8 +261,8 @@ void parts(Package& p, const Config& config) {
     p.part<ShadeState>("shade_look", {"diffuse", "highlight", "mirror", "shine", "ambient", "record"});
     p.part<ShadeState>("shade_bend", {"transmit", "ratio", "schlick", "r0"});
     p.part<ShadeState>("shade_self", {"self", "is_inside"});
-    p.part<ShadeState>("material", {"diffuse", "highlight", "mirror", "shine", "ambient", "record", "transmit",
-                                    "ratio", "schlick", "r0", "self", "is_inside"});
+    p.part<ShadeState>("material", {"diffuse", "highlight", "mirror", "shine", "ambient", "record",
+                                    "transmit", "ratio", "schlick", "r0", "self", "is_inside"});
 }
 
 /// Adds widths and latencies that follow from the parameters.
@@ -275,7 +274,7 @@ void derived(Package& p, const Config& c) {
     p.constant("Shades", int(c.has_shade()));
     p.constant("Streams", int(c.is_stream()));   // rays come from records in memory
     p.constant("HasTextures", int(c.has_textures()));
-    p.constant("Homes", int(c.has_homes()));     // rays start from instances
+    p.constant("Homes", int(c.has_homes()));   // rays start from instances
     p.constant("OriginWidth", c.origin_width());
     p.constant("PointWidth", c.point_width());
     p.constant("ApproachShift", c.approach_shift());
@@ -312,6 +311,7 @@ void derived(Package& p, const Config& c) {
     p.constant("LevelFrac", level_frac);
     p.constant("LengthBits", length_bits);
     p.constant("HoleBits", hole_bits);
+    p.constant("LogIndexBits", log_index_bits);
     p.constant("SubPixelBits", sub_pixel_bits);
     p.constant("DepthBits", depth_bits);
     p.constant("Clients", c.clients());
@@ -433,7 +433,10 @@ void enumerations(Package& p) {
                            {{"None", Pending::none}, {"Answer", Pending::answer}, {"Sure", Pending::sure}});
     using Leave = PassOut::Leave;
     p.enumeration<Leave>("leave_e", "Leave", 2,
-                         {{"Again", Leave::again}, {"Spawn", Leave::spawn}, {"Pixel", Leave::pixel}, {"Texture", Leave::texture}});
+                         {{"Again", Leave::again},
+                          {"Spawn", Leave::spawn},
+                          {"Pixel", Leave::pixel},
+                          {"Texture", Leave::texture}});
     p.say("How a texture continues beyond its edges, and the formats of its texels.");
     p.enumeration<WrapMode>(
         "wrap_e", "Wrap", 2,
@@ -476,6 +479,10 @@ std::string rc_package(const Config& config) {
     std::vector<std::string> intensities;
     for (const std::uint32_t value : srgb_table()) intensities.push_back(fmt::format("d{}", value));
     p.text(list_text("SrgbTable", intensities, share_bits + 1));
+    p.say("Fractions of logarithms: log_fractions() in the same file.");
+    std::vector<std::string> fractions;
+    for (const std::uint32_t value : log_fractions()) fractions.push_back(fmt::format("d{}", value));
+    p.text(list_text("LogFraction", fractions, level_frac));
     p.say("Tables of the unit globe: model/engine/spheres/tables.hpp.");
     p.table("NearInverse", near_inverse_table(), near_inverse_bits, near_inverse_step_bits);
     p.table("RootUp", root_up_table(), root_up_bits, 0);
