@@ -109,9 +109,11 @@ package rc_pkg;
   localparam int unsigned CoordinateFrac = 20;
   localparam int unsigned TexelFrac = 8;
   localparam int unsigned SideBits = 4;
-  localparam int unsigned LevelBits = 12;
-  localparam int unsigned LevelFrac = 4;
+  localparam int unsigned LevelBits = 14;
+  localparam int unsigned LevelFrac = 6;
   localparam int unsigned LengthBits = 7;
+  localparam int unsigned HoleBits = 6;
+  localparam int unsigned LogIndexBits = 5;
   localparam int unsigned SubPixelBits = 8;
   localparam int unsigned DepthBits = 4;
   localparam int unsigned Clients = 2;
@@ -457,6 +459,13 @@ package rc_pkg;
     13'd35, 13'd33, 13'd31, 13'd29, 13'd27, 13'd25, 13'd23, 13'd21,
     13'd20, 13'd18, 13'd16, 13'd15, 13'd14, 13'd12, 13'd11, 13'd10,
     13'd9, 13'd7, 13'd6, 13'd5, 13'd4, 13'd2, 13'd1, 13'd0};
+
+  // Fractions of logarithms: log_fractions() in the same file.
+  localparam logic [191:0] LogFraction = {
+    6'd63, 6'd62, 6'd60, 6'd59, 6'd57, 6'd56, 6'd54, 6'd52,
+    6'd51, 6'd49, 6'd47, 6'd46, 6'd44, 6'd42, 6'd40, 6'd38,
+    6'd36, 6'd35, 6'd32, 6'd30, 6'd28, 6'd26, 6'd24, 6'd22,
+    6'd19, 6'd17, 6'd15, 6'd12, 6'd10, 6'd7, 6'd4, 6'd1};
 
   // Tables of the unit globe: model/engine/spheres/tables.hpp.
   localparam logic [3455:0] NearInverse = {
@@ -927,9 +936,10 @@ package rc_pkg;
 
   typedef struct packed {
     logic [5:0] ray;
+    logic hole;
     logic [38:0] colour;
   } tex_rsp_t;
-  localparam int unsigned TexRspW = 45;
+  localparam int unsigned TexRspW = 46;
 
   typedef struct packed {
     logic id;
@@ -1113,8 +1123,9 @@ package rc_pkg;
     logic [1:0] y;
     logic [7:0] weight_x;
     logic [7:0] weight_y;
+    logic [7:0] cutoff;
   } texel_place_t;
-  localparam int unsigned TexelPlaceW = 20;
+  localparam int unsigned TexelPlaceW = 28;
 
   // Parts that list stores: the ray for tri, a node's leaves, the best hit.
 
@@ -1365,7 +1376,8 @@ package rc_pkg;
     logic [1:0] wrap_t;
     logic nearest;
     logic [3:0] last_level;
-    logic signed [11:0] density;
+    logic signed [13:0] density;
+    logic [7:0] cutoff;
   } tex_record_t;
-  localparam int unsigned TexRecordW = 221;
+  localparam int unsigned TexRecordW = 231;
 endpackage
