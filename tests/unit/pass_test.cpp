@@ -187,7 +187,7 @@ void check(const char* name, unsigned first_seed, int frames, int count) {
         REQUIRE((times(ShadeEvent::refract, again) > 20 && pushes > 5 && times(ShadeEvent::pop, spawn) > 20));
     if (c.has_homes()) REQUIRE(times(ShadeEvent::transform, again) > 50);
     if (c.has_textures()) {
-        REQUIRE(times(c.has_homes() ? ShadeEvent::transform : ShadeEvent::arrive, texture) > 50);
+        REQUIRE(times(c.has_homes() ? ShadeEvent::transform : ShadeEvent::arrive, texture) > 30);
         REQUIRE(times(ShadeEvent::texture, again) > 50);
     }
 }
@@ -216,8 +216,12 @@ TEST_CASE("the rtl's pass is the model's with instances", "[pass][lockstep][leve
 }
 
 TEST_CASE("the rtl's pass is the model's with textures", "[pass][lockstep][textures]") {
-    const auto name = GENERATE("textured:all", "textured:every8:fast:levels:all");
-    check(name, 1, 6, 400);
+    check("textured:all", 1, 8, 400);
+}
+
+TEST_CASE("the rtl's pass is the model's with textures and instances, if it stays for several cycles",
+          "[pass][lockstep][textures]") {
+    check("textured:every8:fast:levels:all", 1, 4, 800);
 }
 
 TEST_CASE("the length of a path is that of its rays, rounded down and saturated", "[pass][textures]") {
@@ -238,7 +242,8 @@ TEST_CASE("the length of a path is that of its rays, rounded down and saturated"
         const std::int64_t wanted = in.state.path + length * in.hit.t / 128;
         REQUIRE(std::int64_t(pass(in, frame, c).state.path) == std::min(wanted, most));
         saturated += wanted > most, longer += length > 128;
-        // A direction along an axis and two quarters is 6.1 % too long, one along a diagonal 13.4 % too short.
+        // A direction along an axis and two quarters is 6.1 % too long, one along a diagonal 13.4 % too
+        // short.
         const double exact =
             std::hypot(double(in.d[0]), double(in.d[1]), double(in.d[2])) / (1 << (c.dir_bits - 1));
         REQUIRE(double(length) / 128 <= 1.0607 * exact);
