@@ -192,6 +192,17 @@ void check(const char* name, unsigned first_seed, int frames, int count) {
     }
 }
 
+/// Returns |d| in 128ths of 2^(M-1), and the length of the path, not saturated. |d| counts as its largest
+/// component plus a quarter of the others.
+std::pair<std::int64_t, std::int64_t> wanted_path(std::uint32_t before, const Vec3i& d, std::uint32_t t,
+                                                  const Config& c) {
+    std::array<std::int64_t, 3> size{};
+    for (std::size_t k = 0; k < 3; ++k) size[k] = std::abs(std::int64_t(d[k]));
+    std::ranges::sort(size);
+    const std::int64_t length = (size[2] + (size[0] + size[1]) / 4) * 128 / (1 << (c.dir_bits - 1));
+    return {length, before + length * t / 128};
+}
+
 }   // namespace
 
 TEST_CASE("the rtl's pass is the model's, after exactly its latency, one in a cycle",
@@ -233,13 +244,8 @@ TEST_CASE("the length of a path is that of its rays, rounded down and saturated"
         PassIn in = random_pass(draw, frame, c);
         in.state.next_event = std::uint32_t(ShadeEvent::arrive), in.hit.found = 1;
         if (draw.percent(10)) in.d[std::size_t(draw.below(3))] = -(1 << (c.dir_bits - 1));
-        // |d| counts as its largest component plus a quarter of the others, in 128ths of 2^(M-1).
-        std::array<std::int64_t, 3> size{};
-        for (std::size_t k = 0; k < 3; ++k) size[k] = std::abs(std::int64_t(in.d[k]));
-        std::ranges::sort(size);
-        const std::int64_t length = (size[2] + (size[0] + size[1]) / 4) * 128 / (1 << (c.dir_bits - 1)),
-                           most = (std::int64_t(1) << c.t_bits()) - 1;
-        const std::int64_t wanted = in.state.path + length * in.hit.t / 128;
+        const auto [length, wanted] = wanted_path(in.state.path, in.d, in.hit.t, c);
+        const std::int64_t most = (std::int64_t(1) << c.t_bits()) - 1;
         REQUIRE(std::int64_t(pass(in, frame, c).state.path) == std::min(wanted, most));
         saturated += wanted > most, longer += length > 128;
         // A direction along an axis and two quarters is 6.1 % too long, one along a diagonal 13.4 % too
@@ -250,6 +256,39 @@ TEST_CASE("the length of a path is that of its rays, rounded down and saturated"
         REQUIRE(double(length + 2) / 128 >= 0.866 * exact);
     }
     CHECK((saturated > 500 && longer > 500));
+}
+
+TEST_CASE("the rtl's length of a path is exact, after three cycles, one in a cycle",
+          "[pass][path][textures]") {
+    const Config c = shaded_format("textured:all");
+    RtlModule rtl(c, "rc_path_length");
+    Draw draw{29};
+    std::array<bool, 4> valid{};                         // of the last cycles
+    std::array<std::optional<std::int64_t>, 4> path{};   // their results
+    int checked = 0;
+    for (int cycle = 0; cycle < 40000; ++cycle) {
+        const auto before = std::uint32_t(draw.natural(c.t_bits())),
+                   t = std::uint32_t(draw.natural(c.t_bits()));
+        Vec3i d = draw.vector(c.dir_bits);
+        std::shift_right(valid.begin(), valid.end(), 1), std::shift_right(path.begin(), path.end(), 1);
+        valid[0] = cycle % 2000 < 1000 || draw.coin();
+        path[0].reset();
+        if (valid[0])
+            path[0] = std::min(wanted_path(before, d, t, c).second, (std::int64_t(1) << c.t_bits()) - 1);
+        put(rtl, "valid",
+            std::uint32_t(valid[0]) | std::uint32_t(valid[1]) << 1 | std::uint32_t(valid[2]) << 2);
+        put(rtl, "s1_phase", 1);
+        put(rtl, "s0_path", before), put(rtl, "s0_t", t);
+        put_vector(rtl, "s0_d", d, c.dir_bits);
+        rtl.settle();
+        if (valid[3]) {
+            INFO("cycle " << cycle);
+            REQUIRE(std::int64_t(got(rtl, "s3_path")[0]) == *path[3]);
+            ++checked;
+        }
+        rtl.clock();
+    }
+    CHECK(checked > 20000);
 }
 
 TEST_CASE("a path begins at the camera ray, and a refracted ray continues its own", "[pass][textures]") {

@@ -65,6 +65,7 @@ TEST_CASE("the units' rtl is built", "[.build]") {
                         {"rc_shade", "plain", test::shaded_format},
                         {"rc_pass", "every4:fast:all", test::shaded_format},
                         {"rc_shade", "every4:plain", test::shaded_format},
+                        {"rc_path_length", "textured:all", test::shaded_format},
                         {"rc_pass", "textured:all", test::shaded_format},
                         {"rc_shade", "textured:all", test::shaded_format},
                         {"rc_tex", "rgb888", test::tex_config},
