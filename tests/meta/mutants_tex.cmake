@@ -2,7 +2,7 @@
 # mutants_rtl.cmake explains a row.
 
 # ---- The model's address of texels.
-set(tex_model_case "tex finds the texels* - TexModel")
+set(tex_model_case "tex finds and filters the texels of every hit exactly - TexModel")
 set(tex_model model/unit/tex/texel.cpp)
 mutant(tex_model_repeat_one_off FILE ${tex_model} TEST unit ${tex_model_case}
   OLD [[return x & (one_picture - 1);]]
@@ -60,9 +60,9 @@ mutant(tex_model_weight_not_complemented FILE ${tex_model} TEST unit ${tex_model
 mutant(tex_model_filter_rounds_down QUICK FILE ${tex_model} TEST unit ${tex_model_case}
   OLD [[(sum + (1u << (2 * texel_frac - 1))) >>]]
   NEW [[sum >>]])
-mutant(tex_model_srgb_knee FILE ${tex_model} TEST unit [tex][srgb]
+mutant(tex_model_srgb_linear_too_far FILE ${tex_model} TEST unit [tex][srgb]
   OLD [[x <= 0.04045 ?]]
-  NEW [[x <= 0.0404 ?]])
+  NEW [[x <= 0.4045 ?]])
 mutant(tex_model_red_one_bit_low FILE ${tex_model} TEST unit ${tex_model_case}
   OLD [[bits >> 12 & 31]]
   NEW [[bits >> 11 & 31]])
@@ -111,7 +111,7 @@ mutant(tex_image_shared_whatever_the_wrap FILE model/compile/textures.cpp TEST c
   NEW [[bases.try_emplace({texture.pyramid.get(), texture.wrap_s, Wrap::repeat},]])
 
 # ---- The RTL of the address.
-set(tex_rtl_case "tex finds the texels* - TexRtl")
+set(tex_rtl_case "tex finds and filters the texels of every hit exactly - TexRtl")
 set(tex_address rtl/unit/tex/rc_texel_address.sv)
 mutant(tex_log_fraction_halved QUICK FILE rtl/unit/tex/rc_log.sv TEST unit [tex][log][rtl]
   OLD [[padded[i +: Frac]}]]

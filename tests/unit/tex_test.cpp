@@ -2,8 +2,8 @@
 // cycle, and compares them.
 #include <catch2/catch.hpp>
 
-#include "tests/support/dut/cell.hpp"
 #include "tests/support/dut/tex_dut.hpp"
+#include "tests/support/world/traffic.hpp"
 
 namespace rayclock::test::tex_test {
 
@@ -21,8 +21,7 @@ const std::vector<Run> runs{{"rgb888", 1, 3000}, {"rgb565", 2, 3000}, {"narrow",
 
 }   // namespace
 
-TEMPLATE_TEST_CASE("tex finds the texels of every hit and filters them exactly, texels before records",
-                   "[tex]", TexModel, TexRtl) {
+TEMPLATE_TEST_CASE("tex finds and filters the texels of every hit exactly", "[tex]", TexModel, TexRtl) {
     const Run run = GENERATE(from_range(runs));
     const Config config = tex_config(run.config);
     std::array<int, 13> levels{};
