@@ -110,6 +110,20 @@ mutant(tex_image_shared_whatever_the_wrap FILE model/compile/textures.cpp TEST c
   OLD [[bases.try_emplace({texture.pyramid.get(), texture.wrap_s, texture.wrap_t},]]
   NEW [[bases.try_emplace({texture.pyramid.get(), texture.wrap_s, Wrap::repeat},]])
 
+# ---- Faults of the model that `rayclock simulate` alone must report as bugs.
+mutant(simulate_tex_level_too_coarse FILE ${tex_model} TEST simulate "room --depth 1"
+  OLD [[return std::uint32_t(std::clamp(rounded, 0,]]
+  NEW [[return std::uint32_t(std::clamp(rounded + 2, 0,]])
+mutant(simulate_tex_neighbour_left_out FILE ${tex_model} TEST simulate "room --depth 1"
+  OLD [[value(1) * place.weight_x]]
+  NEW [[value(0) * place.weight_x]])
+mutant(simulate_tex_corners_swapped FILE model/compile/textures.cpp TEST simulate "room --depth 1"
+  OLD [[std::ldexp(corners[k].y, coordinate_frac)]]
+  NEW [[std::ldexp(corners[(3 - k) % 3].y, coordinate_frac)]])
+mutant(simulate_tex_path_of_the_last_ray FILE model/unit/shade/surf.cpp TEST simulate "room --depth 2"
+  OLD [[in.state.path + (length]]
+  NEW [[(length]])
+
 # ---- The RTL of the address.
 set(tex_rtl_case "tex finds and filters the texels of every hit exactly - TexRtl")
 set(tex_address rtl/unit/tex/rc_texel_address.sv)
