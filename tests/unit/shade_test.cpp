@@ -32,6 +32,7 @@ void same_in_every_cycle(const Config& c, int idle, int stall, unsigned seed, in
         REQUIRE(same(rtl.closest, model.closest, c));
         REQUIRE(same(rtl.surf_req, model.surf_req, c));
         REQUIRE(same(rtl.surf_rsp, model.surf_rsp, c));
+        REQUIRE(same(rtl.tex_req, model.tex_req, c));
         REQUIRE(same(rtl.spawn, model.spawn, c));
         if (rtl.pixel.offer && model.pixel.offer) {
             const Pixel &got = *rtl.pixel.offer, &wanted = *model.pixel.offer;
@@ -48,7 +49,7 @@ void same_in_every_cycle(const Config& c, int idle, int stall, unsigned seed, in
 
 void check(const char* format, int contexts, int queue, int cycles) {
     const Config c = shape(format, contexts, queue);
-    int pixels = 0, shadows = 0, bounces = 0, samples = 0, closed = 0;
+    int pixels = 0, shadows = 0, bounces = 0, samples = 0, closed = 0, textures = 0;
     unsigned seed = 1;
     for (const auto& [name, idle, stall] : flows) {
         Draw draw{seed};
@@ -60,17 +61,18 @@ void check(const char* format, int contexts, int queue, int cycles) {
         ShadeWorld world(c, frame, idle, stall, seed);
         same_in_every_cycle(c, idle, stall, seed++, cycles, world, frame);
         pixels += world.pixels, shadows += world.shadows, bounces += world.bounces, samples += world.samples,
-            closed += world.closed;
+            closed += world.closed, textures += world.textures;
     }
     CAPTURE(pixels, shadows, bounces, samples, closed);
     REQUIRE((pixels > 10 && shadows > 10 && bounces > 10));
     REQUIRE((samples > 0) == (c.supersampling));
     REQUIRE((closed > 0) == (queue < 32 && queue < contexts));
+    REQUIRE((textures > 10) == c.has_textures());
 }
 
 template <class Dut> void still(Dut& dut) {
     dut.slot.reset(), dut.ray.reset(), dut.closest.offer.reset(), dut.surf_rsp.offer.reset();
-    dut.surf_req.ready = dut.spawn.ready = dut.pixel.ready = true;
+    dut.surf_req.ready = dut.tex_req.ready = dut.spawn.ready = dut.pixel.ready = true;
 }
 template <class Dut> void step(Dut& dut) {
     dut.eval();
@@ -97,6 +99,12 @@ TEST_CASE("model and rtl of shade make the same moves with a pass every few cycl
     check("every4:plain", 64, 64, 6000);
     check("every4:plain", 64, 8, 3000);
     check("every8:fast:all", 64, 64, 6000);
+}
+
+TEST_CASE("model and rtl of shade make the same moves with textures", "[shade][lockstep][textures]") {
+    check("textured:all", 64, 64, 3000);
+    check("textured:all", 8, 4, 3000);
+    check("textured:every4:fast:plain", 64, 8, 6000);
 }
 
 TEST_CASE("model and rtl of shade make the same moves in every cycle, for long", "[shade][lockstep][slow]") {

@@ -12,7 +12,7 @@ namespace rayclock::test {
 /// Returns a format by name. "all" has every unit of default, "plain" only shading, "mirror" all but
 /// refraction. "narrow" and "broad" are at the ends of the lattice. "short" has directions shorter than a
 /// unit vector's components. Prefixes: "everyK:..." makes a pass every K cycles, "fast:..." has the paths of
-/// a fast chip, "levels:..." has instances.
+/// a fast chip, "levels:..." has instances, "textured:..." has textures.
 inline Config shaded_format(const std::string& name) {
     if (const std::size_t colon = name.find(':'); colon != std::string::npos) {
         Config c = shaded_format(name.substr(colon + 1));
@@ -21,6 +21,8 @@ inline Config shaded_format(const std::string& name) {
             c.timing = Timing::fast, c.raygen_queue = c.box_queue = 32, c.tri_queue = 64;
         else if (name.starts_with("levels:"))
             c.levels = 2;
+        else if (name.starts_with("textured:"))
+            c.textures = 1;
         else
             c.shade_interval = std::stoi(name.substr(5));
         check_config(c, name);
@@ -123,6 +125,8 @@ inline Surface random_surface(Draw& draw, const Config& c) {
     for (auto* x : {&s.mirror, &s.transmit, &s.r0}) *x = share_up_to(draw, unit_bits);
     s.shine = std::uint32_t(draw.natural(shine_bits));
     s.enter = std::uint32_t(draw.natural(ratio_bits)), s.leave = std::uint32_t(draw.natural(ratio_bits));
+    if (c.has_textures() && s.kind == 0 && draw.coin())
+        s.record = std::uint32_t(std::max<std::uint64_t>(draw.natural(c.addr_bits), 1));
     return s;
 }
 
@@ -163,6 +167,12 @@ inline void aim_far(Draw& draw, const Frame& frame, const Config& c, ShadeState&
 inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) {
     ShadeState s;
     s.next_event = std::uint32_t(draw.below(c.has_homes() ? 6 : 5));
+    if (c.has_textures()) {
+        if (draw.percent(15)) s.next_event = std::uint32_t(ShadeEvent::texture);
+        s.path = std::uint32_t(draw.natural(draw.between(1, c.t_bits())));
+        s.ambient = share_up_to(draw, share_bits);
+        s.record = draw.coin() ? 0 : std::uint32_t(draw.natural(c.addr_bits));
+    }
     if (s.next_event == std::uint32_t(ShadeEvent::light) && frame.shade.lights == 0) s.next_event = 0;
     if (s.next_event == std::uint32_t(ShadeEvent::refract) && !c.refraction)
         s.next_event = std::uint32_t(ShadeEvent::reflect);
@@ -234,7 +244,9 @@ inline PassIn random_pass(Draw& draw, const Frame& frame, const Config& c) {
         in.top.weight = share_up_to(draw, unit_bits), in.top.depth = std::uint32_t(draw.below(16));
         in.top.self = std::uint32_t(draw.natural(c.prim_bits)), in.top.inside = draw.coin();
         in.top.cell = random_cell(draw, c), in.top.partial = c.horizon && draw.coin();
+        if (c.has_textures()) in.top.path = std::uint32_t(draw.natural(c.t_bits()));
     }
+    if (c.has_textures()) in.texel = shares_up_to(draw, share_bits);
     if (c.has_homes()) {
         in.placement = pass_placement(draw, c, in.state);
         if (c.refraction)
