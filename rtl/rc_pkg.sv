@@ -513,7 +513,7 @@ package rc_pkg;
 
   // The host's registers: sim/run/gen/registers.hpp, docs/machine/chip.md.
   localparam int unsigned Magic = 1380142155;
-  localparam int unsigned Version = 1;
+  localparam int unsigned Version = 2;
   localparam int unsigned RegMagic = 0;
   localparam int unsigned RegVersion = 1;
   localparam int unsigned RegStatus = 2;
@@ -523,9 +523,9 @@ package rc_pkg;
   localparam int unsigned RegCycles = 6;
   localparam int unsigned RegParameters = 32;
   localparam int unsigned RegFrame = 1024;
-  localparam int unsigned RegCounters = 4096;
-  localparam int unsigned RegAddrBits = 13;
-  localparam int unsigned CounterBits = 11;
+  localparam int unsigned RegCounters = 8192;
+  localparam int unsigned RegAddrBits = 14;
+  localparam int unsigned CounterBits = 12;
   localparam int unsigned Parameters = 27;
   localparam logic [863:0] ParameterValues = {
     32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0,

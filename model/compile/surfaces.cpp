@@ -251,22 +251,17 @@ void check_units(const Scene& scene, const Config& config, const std::string& na
     if (!scene.planes.empty() && !config.planes) refuse("planes", "planes");
     if (!config.has_shade()) return;
     if (!scene.normals.empty() && !config.smooth) refuse("corner normals", "smooth");
-    if (!scene.coordinates.empty() && config.has_instances())
-        throw UserError(name +
-                        ": textures are not drawn with levels=2; --no-textures draws their average "
-                        "colours, and --set levels=1 writes instances out");
     if (!scene.coordinates.empty() && !config.textures) refuse("textures", "textures");
     for (const Material& m : scene.materials)
         if (m.transmit > 0 && !config.refraction) refuse("a material that transmits", "refraction");
 }
 
-void write_surfaces(const Scene& scene, const Config& config, const std::string& name, MemoryImage& image) {
+void write_surfaces(const Scene& scene, const std::vector<std::uint32_t>& records, const Config& config,
+                    const std::string& name, MemoryImage& image) {
     const std::size_t first = image.lines(), count = primitive_count(scene);
     check_lines(first + count, config, name);
     image.first_surface_line = std::uint32_t(first);
     image.words.resize((first + count) * words_per_line, 0);
-    std::vector<std::uint32_t> records;
-    if (config.has_textures()) records = write_textures(scene, config, name, image);
     tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
         Words scratch;
         Surface surface = surface_of(scene, image.lattice, config, i);

@@ -30,9 +30,10 @@ Surface surface_of(const Scene& scene, const Lattice& lattice, const Config& con
 /// Throws UserError if the scene needs a unit that the configuration does not have.
 void check_units(const Scene& scene, const Config& config, const std::string& name);
 
-/// Appends the surfaces, a line each, to the image; with textures, also their texels and records. Throws
+/// Appends the surfaces, a line each, to the image. `records`: the result of write_textures(). Throws
 /// UserError beyond the address range.
-void write_surfaces(const Scene& scene, const Config& config, const std::string& name, MemoryImage& image);
+void write_surfaces(const Scene& scene, const std::vector<std::uint32_t>& records, const Config& config,
+                    const std::string& name, MemoryImage& image);
 
 /// Returns the shading registers of a frame of this height. Throws UserError if the configuration has too few
 /// lights or bounces, or only one sample.

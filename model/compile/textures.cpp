@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include <glm/matrix.hpp>
 #include <tbb/parallel_for.h>
 
 #include "model/compile/emit.hpp"
@@ -93,11 +94,15 @@ TexRecord record_of(const Scene& scene, const Lattice& lattice, const Config& co
     return record;
 }
 
-std::vector<std::uint32_t> write_textures(const Scene& scene, const Config& config, const std::string& name,
-                                          MemoryImage& image) {
-    if (scene.coordinates.empty()) return {};
-    // Textures that differ only in their filter share texels.
-    std::map<std::tuple<const Pyramid*, Wrap, Wrap>, std::uint32_t> bases;
+std::int32_t texel_scale_of(const std::array<std::int32_t, 9>& a, const Config& config) {
+    glm::dmat3 map;
+    for (int i = 0; i < 9; ++i) map[i % 3][i / 3] = std::ldexp(double(a[std::size_t(i)]), -config.map_frac());
+    return level_number(std::log2(std::abs(glm::determinant(map))) / 3);
+}
+
+std::vector<std::uint32_t> write_textures(const Scene& scene, const Lattice& lattice, const Config& config,
+                                          const std::string& name, TextureLines& known, MemoryImage& image) {
+    if (!config.has_textures() || scene.coordinates.empty()) return {};
     std::vector<std::uint32_t> base_of(scene.textures.size()), records(scene.triangles.size());
     std::uint32_t count = 0;
     for (const Triangle& triangle : scene.triangles) {
@@ -107,7 +112,7 @@ std::vector<std::uint32_t> write_textures(const Scene& scene, const Config& conf
         const Texture& texture = scene.textures[*number];
         const std::uint64_t first = image.lines();
         const auto [base, is_new] =
-            bases.try_emplace({texture.pyramid.get(), texture.wrap_s, texture.wrap_t}, std::uint32_t(first));
+            known.try_emplace({texture.pyramid.get(), texture.wrap_s, texture.wrap_t}, std::uint32_t(first));
         base_of[*number] = base->second;
         if (!is_new) continue;
         TexRecord record = common_record(texture, 0);
@@ -127,7 +132,7 @@ std::vector<std::uint32_t> write_textures(const Scene& scene, const Config& conf
     tbb::parallel_for(std::size_t(0), records.size(), [&](std::size_t i) {
         if (records[i] == 0) return;
         Words scratch;
-        write_payload(record_of(scene, image.lattice, config, std::uint32_t(i),
+        write_payload(record_of(scene, lattice, config, std::uint32_t(i),
                                 base_of[*texture_of(scene, scene.triangles[i])]),
                       config, &image.words[std::size_t(records[i]) * words_per_line], scratch);
     });

@@ -25,6 +25,9 @@ struct Placement {
     std::uint32_t first_surface_line = 0;   ///< line that the surface of primitive 0 would have; it may wrap
     std::uint32_t material = 0;   ///< line of a surface whose material all its primitives take; 0: none
     std::uint32_t same = 0;       ///< 1: A = 1 and b = 0, so a ray is the same in its mesh and in the scene
+    /// With textures: log2 of the mesh's steps in a step of the scene, |det A|^(1/3); level_frac fraction
+    /// bits.
+    std::int32_t texel_scale = 0;
     std::array<std::int32_t, 9> a{};   ///< [3 * row + column], map_frac() fraction bits; 1 is possible
     Vec3l b{};                         ///< map_frac() fraction bits
     template <class V> void fields(V& v, const Config& c) {
@@ -34,6 +37,7 @@ struct Placement {
         if (c.shading) v("surfaces", first_surface_line, c.addr_bits);
         if (c.shading) v("material", material, c.addr_bits);
         if (c.shading) v("is_same", same, 1);
+        if (c.has_textures()) v("texel_scale", texel_scale, level_bits);
         v("a", a, c.map_bits(), 9);
         v("b", b, c.coord_bits + c.map_frac(), 3);
     }

@@ -300,9 +300,11 @@ struct TexReq {
     std::uint32_t path = 0;
     std::uint32_t cosine = 0;     ///< between view and normal, 0..1, unit_bits fraction bits
     std::uint32_t u = 0, v = 0;   ///< of the hit, as in Closest
+    std::int32_t scale = 0;       ///< with two levels: Placement::texel_scale
     template <class V> void fields(V& v_, const Config& c) {
         v_("ray", ray, c.ray_bits());
         v_("record", record, c.addr_bits);
+        if (c.has_homes()) v_("scale", scale, level_bits);
         v_("path", path, c.t_bits());
         v_("cosine", cosine, unit_bits + 1);
         v_("u", u, c.uv_bits());

@@ -69,7 +69,7 @@ void request_texture(const PassIn& in, PassOut& out) {
     ShadeState& s = out.state;
     s.next_event = std::uint32_t(ShadeEvent::texture);
     out.leave = PassOut::Leave::texture;
-    out.tex = {in.ray, s.record, s.path, s.cosine, in.hit.u, in.hit.v};
+    out.tex = {in.ray, s.record, s.path, s.cosine, in.hit.u, in.hit.v, in.placement.texel_scale};
 }
 
 void arrive(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {

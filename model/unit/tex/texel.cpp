@@ -82,8 +82,8 @@ std::uint32_t log_of(std::uint32_t x) {
 
 std::uint32_t level_of(const TexReq& hit, const TexRecord& record, std::int32_t spread) {
     const std::int32_t cosine = unit_bits << level_frac;   // the logarithm of a cosine of 1
-    const std::int32_t slant = (cosine - std::int32_t(log_of(hit.cosine))) >> 1;
-    const std::int32_t level = record.density + spread + std::int32_t(log_of(hit.path)) + slant;
+    const std::int32_t slant = std::max(cosine - std::int32_t(log_of(hit.cosine)), 0) >> 1;
+    const std::int32_t level = record.density + hit.scale + spread + std::int32_t(log_of(hit.path)) + slant;
     const std::int32_t rounded = (level + (1 << (level_frac - 1))) >> level_frac;
     return std::uint32_t(std::clamp(rounded, 0, std::int32_t(record.last_level)));
 }

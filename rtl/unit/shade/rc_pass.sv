@@ -406,6 +406,7 @@ module rc_pass #(
   logic [3*OriginWidth-1:0]    turned_o, end_home_o;
   logic [3*RayDirBits-1:0]     end_home_d;
   logic [rc_pkg::AddrBits-1:0] end_home;
+  logic [rc_pkg::LevelBits-1:0] end_scale;   // of the instance's texels
 
   if (rc_pkg::Homes == 1) begin : gen_homes
     localparam int unsigned MapBits    = rc_pkg::MapBits;
@@ -447,7 +448,15 @@ module rc_pass #(
       .clk_i, .rst_ni, .enter_i(sends_at[0] || s0_transform),
       .leave_i(sends_at[Out] || transform_at[Out]), .data_i(here),
       .data_o(end_home));
+    if (rc_pkg::HasTextures == 1) begin : gen_scale
+      rc_stage_delay #(.Width(rc_pkg::LevelBits), .Stages(Out), .Parts(rc_pkg::ShadeParts)) u_scale (
+        .clk_i, .rst_ni, .enter_i(s0_transform), .leave_i(transform_at[Out]),
+        .data_i(place.texel_scale), .data_o(end_scale));
+    end else begin : gen_no_scale
+      assign end_scale = '0;
+    end
   end else begin : gen_one_space
+    assign end_scale = '0;
     assign side_d    = s15_d;
     assign s5_turned = '0;
     assign {turned_o, end_home, end_home_o, end_home_d} = '0;
@@ -542,6 +551,7 @@ module rc_pass #(
   // ---- s28: end of the pass.
   rc_pass_end u_end (
     .clk_i, .take_i(ends[Stages-1]), .frame_i, .path_i(surf_path), .u_i(face_u), .v_i(face_v), .hole_i(end_hole),
+    .scale_i(end_scale),
     .ray_i(end_ray), .begin_state_i(begin_state),
     .mirrors_i(mirrors),
     .transmits_i(transmits), .top_i(top), .surf_o_i(surf_o), .surf_n_i(surf_n),

@@ -46,6 +46,7 @@ module rc_pass_end #(
   input  logic [rc_pkg::UvBits-1:0] u_i,
   input  logic [rc_pkg::UvBits-1:0] v_i,
   input  logic                     hole_i,   // the texture has a hole
+  input  logic [rc_pkg::LevelBits-1:0] scale_i,   // with two levels: of the instance's texels
   // With two levels, from rc_instance_space: a surface was transformed; the ray in the mesh's space
   input  logic                     transform_i,
   input  logic [3*OriginWidth-1:0] transform_o_i,
@@ -322,13 +323,20 @@ module rc_pass_end #(
     assign request.u      = u_i;
     assign request.v      = v_i;
     assign tex_req        = request;
+
+    if (rc_pkg::Homes == 1) begin : gen_scale
+      assign request.scale = scale_i;
+    end else begin : gen_no_scale
+      logic unused;
+      assign unused = ^scale_i;
+    end
   end else begin : gen_no_texture
     assign textured     = next;
     assign asks_texture = 1'b0;
     assign tex_req      = '0;
 
     logic unused;
-    assign unused = ^{path_i, u_i, v_i, hole_i};
+    assign unused = ^{path_i, u_i, v_i, hole_i, scale_i};
   end
 
   if (rc_pkg::Panes != 0) begin : gen_cell

@@ -189,6 +189,10 @@ module rc_shade (
     assign place_data.a    = instance_came.a;
     assign place_data.b    = instance_came.b;
 
+    if (rc_pkg::HasTextures == 1) begin : gen_texel_scale
+      assign place_data.texel_scale = instance_came.texel_scale;
+    end
+
     always_ff @(posedge clk_i) begin
       if (placed)  placing_q[came_ray]    <= 1'b0;
       if (answers) placing_q[closest_ray] <= wants_surface;

@@ -70,9 +70,16 @@ module rc_tex (
     if (texels_fire) reads_texels_q[texels_next[AddrBits +: RayBits]] <= 1'b1;
   end
 
+  logic [rc_pkg::TexReqW-1:0] req_flat;   // the context's number and the record lie highest
+
+  assign req_flat = req_i;
+
+  logic unused;
+  assign unused = ^req_flat;
+
   rc_ram #(.Width(HitW), .Depth(Contexts)) u_hit (
     .clk_i, .write_i(req_fires), .write_addr_i(req_i.ray),
-    .write_data_i({req_i.path, req_i.cosine, req_i.u, req_i.v}), .read_addr_i(came_ray),
+    .write_data_i(req_flat[HitW-1:0]), .read_addr_i(came_ray),
     .read_data_o(hit));
 
   // ---- From a record to the address of the texels.

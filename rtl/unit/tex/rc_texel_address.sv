@@ -17,7 +17,7 @@ module rc_texel_address #(
   input  logic                        valid_i,
   input  logic [RayBits-1:0]          ray_i,
   input  rc_pkg::frame_t              frame_i,
-  input  logic [HitW-1:0]             hit_i,    // path, cosine, u, v
+  input  logic [HitW-1:0]             hit_i,    // rc_pkg::tex_req_t from scale or path on
   input  logic [rc_pkg::LineBits-1:0] line_i,   // the record, in its lowest bits
   output logic                        valid_o,
   output logic [RayBits-1:0]          ray_o,
@@ -63,6 +63,7 @@ module rc_texel_address #(
 
   // ---- s0: the record.
   rc_pkg::tex_record_t                  s0;
+  logic signed [LevelBits-1:0]          s0_density;
   logic [TBits-1:0]                     s0_path;
   logic [ValueBits-1:0]                 s0_cosine;
   logic [UvBits-1:0]                    s0_u, s0_v;
@@ -72,7 +73,20 @@ module rc_texel_address #(
 
   assign {beyond, s0_record}                = line_i;
   assign s0                                 = s0_record;
-  assign {s0_path, s0_cosine, s0_u, s0_v}   = hit_i;
+
+  // With two levels the density is that of the mesh; the instance's scale comes with the hit.
+  logic signed [LevelBits:0] s0_dense;
+
+  if (rc_pkg::Homes == 1) begin : gen_scale
+    logic signed [LevelBits-1:0] s0_scale;
+
+    assign {s0_scale, s0_path, s0_cosine, s0_u, s0_v} = hit_i;
+    assign s0_dense = (LevelBits+1)'(s0_density) + (LevelBits+1)'(s0_scale);
+  end else begin : gen_one_scale
+    assign {s0_path, s0_cosine, s0_u, s0_v} = hit_i;
+    assign s0_dense = (LevelBits+1)'(s0_density);
+  end
+
   assign s0_s                               = s0.s;
   assign s0_t                               = s0.t;
 
@@ -107,7 +121,8 @@ module rc_texel_address #(
 
   // ---- s1 to s3: the level.
   logic [LogW-1:0]               s0_log_path, s0_log_cosine, s1_log_path_q, s1_log_cosine_q;
-  logic signed [LevelBits-1:0]   s0_density, s0_spread, s1_density_q;
+  logic signed [LevelBits-1:0]   s0_spread;
+  logic signed [LevelBits:0]     s1_density_q;
   logic signed [LevelSumW-1:0]   s1_slant, s2_level_q, s2_rounded;
   logic [SideBits-1:0]           s2_last_q, s3_level_q;
 
@@ -138,7 +153,7 @@ module rc_texel_address #(
   localparam logic [LogW-1:0] LogOfOne = LogW'(rc_pkg::UnitBits << LevelFrac);
   logic [LogW-1:0] s1_angle;
 
-  assign s1_angle = LogOfOne - s1_log_cosine_q;
+  assign s1_angle = s1_log_cosine_q < LogOfOne ? LogOfOne - s1_log_cosine_q : '0;
   assign s1_slant = LevelSumW'(s1_angle[LogW-1:1]);
 
   assign s2_rounded = s2_level_q + LevelSumW'(1 << (LevelFrac - 1));
@@ -147,7 +162,7 @@ module rc_texel_address #(
     if (valid_i) begin
       s1_log_path_q   <= s0_log_path;
       s1_log_cosine_q <= s0_log_cosine;
-      s1_density_q    <= s0_density;
+      s1_density_q    <= s0_dense;
     end
     if (valid_q[1])
       s2_level_q <= LevelSumW'(s1_density_q) + LevelSumW'(s0_spread)

@@ -392,6 +392,23 @@ glm::dvec3 Guide::square(const RefClosest& hit, const Material& material, const 
     return own;
 }
 
+/// Returns how far the logarithm of a length in a plane may differ from that of the cube root of the volume,
+/// for a map of an instance: 0 if it keeps angles.
+double stretch_error(const std::array<std::int64_t, 9>& a) {
+    glm::dmat3 map;
+    for (int i = 0; i < 9; ++i) map[i % 3][i / 3] = double(a[std::size_t(i)]);
+    const glm::dmat3 square = glm::transpose(map) * map;
+    const double size = (square[0][0] + square[1][1] + square[2][2]) / 3;
+    double off = 0;   // from a multiple of the identity
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) off = std::max(off, std::abs(square[i][k] - (i == k ? size : 0)));
+    if (off <= 0x1p-10 * size) return 0x1p-8;
+    // The areas of all planes are stretched between the least and the largest product of two singular values.
+    const double volume = std::abs(glm::determinant(map)), largest = std::sqrt(3 * size);
+    const double least = volume / largest, most = largest * largest, mean = std::cbrt(volume * volume);
+    return 0.5 * std::max(std::log2(most / mean), std::log2(mean / least));
+}
+
 /// The machine rounds the weights of the corners, the coordinates, and the place in texels down. It finds the
 /// level from logarithms of 6 fraction bits. Its length of a path has an error of 0.098 of a level, and of
 /// another 0.023 because |d| has 7 bits. The logarithm of the path adds 0.031, that of the cosine half of
@@ -403,16 +420,32 @@ void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& ow
     const Config& config = rules_.inputs.config;
     const Texture& texture = rules_.scene.textures[*surface.material->texture];
     const auto& [a, b, c] = rules_.scene.coordinates[hit.primitive];
-    const double u = std::ldexp(double(at->hit.u), -config.bary_bits),
-                 v = std::ldexp(double(at->hit.v), -config.bary_bits);
+    double u = std::ldexp(double(at->hit.u), -config.bary_bits),
+           v = std::ldexp(double(at->hit.v), -config.bary_bits);
+    const std::uint32_t place =
+        rules_.placed ? rules_.placed->place_of(at->hit.prim) : oracle::PlacedRay::nowhere;
+    if (rules_.placed && rules_.placed->is_mirrored(place)) std::swap(u, v);
     const glm::dvec2 st = (1 - u - v) * a + u * b + v * c;
     const glm::dvec2 edges = glm::abs(b - a) + glm::abs(c - a);
-    if (glm::any(
-            glm::greaterThan(glm::abs(st - own.st), 4 * std::exp2(-config.bary_bits) * edges + 0x1p-18)) &&
+    // With two levels an instance sees a rounded ray, which may meet the triangle a few steps away.
+    double scale_error = 0, away = 0;
+    if (rules_.placed && is_turned(*at)) {
+        const auto& vertex = rules_.scene.triangles[hit.primitive].vertex;
+        const auto corner = [&](std::size_t k) { return rules_.scene.vertices[vertex[k]]; };
+        const glm::dvec3 e1 = corner(1) - corner(0), e2 = corner(2) - corner(0);
+        const double longest = glm::length(e1) + glm::length(e2), area = glm::length(glm::cross(e1, e2));
+        const glm::dvec3& pitch = rules_.inputs.lattice.pitch;
+        const double steps = 4 * std::max(pitch.x, std::max(pitch.y, pitch.z));
+        away = steps * longest / area / std::max(own.cosine, 0x1p-8);
+        scale_error = stretch_error(rules_.placed->solids().places()[place].a);
+    }
+    if (glm::any(glm::greaterThan(glm::abs(st - own.st),
+                                  (4 * std::exp2(-config.bary_bits) + away) * edges + 0x1p-18)) &&
         !is_substituted_)
         fail("a texture is drawn with other coordinates than the triangle's at the hit");
 
-    constexpr double level_error = 0.2, cosine_error_of_level = 0x1p-12;
+    const double level_error = 0.25 + scale_error;
+    constexpr double cosine_error_of_level = 0x1p-12;
     const auto level = int(at->texture->place.level);
     const auto detail = [&](double cosine) {
         return level_of_detail(own.detail, own.distance, own.spread, std::max(cosine, 0.0));

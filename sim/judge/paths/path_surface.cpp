@@ -42,8 +42,11 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
     demand(in.o == bounce_ray_.o && in.d == bounce_ray_.d,
            "a pass was given another ray than the one that arrived");
     place_ = {};
-    place_.is_textured = !rules_.placed && answer_.found && texture_of(rules_.inputs.scene, answer_.prim);
-    demand(out.leave == (place_.is_textured ? PassOut::Leave::texture : PassOut::Leave::again),
+    if (answer_.found && config_.has_textures())
+        place_.texture =
+            rules_.placed ? rules_.placed->textured(answer_.prim)
+                          : textured_triangle(rules_.inputs.scene, rules_.inputs.lattice.pitch, answer_.prim);
+    demand(out.leave == (place_.texture && !rules_.placed ? PassOut::Leave::texture : PassOut::Leave::again),
            "a surface sends a ray, or does not ask for its texture");
     if (branch_.depth == 0 && sample_ == 0 && holes_ == 0)
         demand(s.found == answer_.found && s.prim == answer_.prim && s.t == answer_.t && s.u == answer_.u &&
@@ -71,7 +74,7 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
         demand(holds, "memory does not hold the corner normals of the triangle that was hit");
         place_.surface.normal = in.surface.normal;
     }
-    if (place_.is_textured) {   // filtered() judges the record
+    if (place_.texture) {   // filtered() judges the record
         demand(in.surface.record != 0, "memory holds no texture for the surface that was hit");
         place_.surface.record = in.surface.record;
     }
@@ -86,8 +89,8 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
         demand(s.record == place_.surface.record && s.ambient == place_.surface.ambient,
                "the material that was hit is not kept");
     }
-    if (place_.is_textured) return demand_texture(s, out);
-    ambient(s);
+    if (place_.texture && !rules_.placed) return demand_texture(s, out);
+    if (!place_.texture) ambient(s);
     if (rules_.placed) {
         demand(rules_.placed->is_map_of(visit_.place, in.placement),
                "memory does not hold the instance that was hit");
@@ -101,6 +104,9 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
 void PathJudge::demand_texture(const ShadeState& s, const PassOut& out) {
     demand(ShadeEvent(s.next_event) == ShadeEvent::texture, "no texture pass follows a textured surface");
     const TexReq& hit = out.tex;
+    demand(visit_.place == oracle::PlacedRay::nowhere ||
+               is_scale(hit.scale, rules_.placed->solids().places()[visit_.place].a, config_),
+           "tex gets another scale than the instance's");
     demand(hit.record == s.record && hit.u == answer_.u && hit.v == answer_.v && hit.path == path_ &&
                hit.cosine == s.cosine,
            "tex gets another hit than the ray's");
@@ -109,7 +115,9 @@ void PathJudge::demand_texture(const ShadeState& s, const PassOut& out) {
 
 void PathJudge::filtered(const TexReq& hit, const TexRecord& record, const TexelPlace& place,
                          const TexRsp& answer) {
-    if (const char* wrong = judge_texture(rules_.inputs, answer_.prim, hit, record, place, answer))
+    if (!place_.texture)
+        fail("a surface without a texture is drawn with one");
+    else if (const char* wrong = judge_texture(rules_.inputs, *place_.texture, hit, record, place, answer))
         fail(wrong);
     texel_ = answer;
 }

@@ -304,6 +304,12 @@ Surface PlacedWorld::surface(std::uint32_t primitive) const {
     return expected_surface(made.scene, made.solids, config_, primitive - placed.first, material(primitive));
 }
 
+std::optional<TexturedTriangle> PlacedWorld::textured(std::uint32_t primitive) const {
+    const Placed& placed = instances_[place_of(primitive)];
+    if (placed.material) return std::nullopt;
+    return textured_triangle(classes_[placed.mesh_class].scene, glm::dvec3(1), primitive - placed.first);
+}
+
 bool PlacedWorld::holds_normals(std::uint32_t primitive, const Surface& seen) const {
     const Placed& placed = instances_[place_of(primitive)];
     return rayclock::holds_normals(classes_[placed.mesh_class].scene, primitive - placed.first, seen);

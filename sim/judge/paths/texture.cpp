@@ -65,9 +65,10 @@ TwoTexels on_side(Int128 at, std::int64_t side, Wrap wrap, bool nearest) {
     return {first, next, place % 256};
 }
 
-const char* judge_record(const FrameInputs& inputs, std::size_t triangle, const Texture& texture,
+const char* judge_record(const FrameInputs& inputs, const TexturedTriangle& triangle,
                          const TexRecord& record) {
-    const CornerCoordinates& corners = inputs.scene.coordinates[triangle];
+    const Texture& texture = *triangle.texture;
+    const CornerCoordinates& corners = triangle.coordinates;
     for (std::size_t k = 0; k < 3; ++k)
         if (!is_nearest(record.s[k], std::ldexp(corners[k].x, 20)) ||
             !is_nearest(record.t[k], std::ldexp(corners[k].y, 20)))
@@ -80,15 +81,14 @@ const char* judge_record(const FrameInputs& inputs, std::size_t triangle, const 
         (record.nearest != 0) != texture.nearest ||
         record.last_level != (texture.mipmaps ? levels.size() - 1 : 0))
         return "memory does not hold the texture of the triangle that was hit";
-    const double cutoff = inputs.scene.materials[inputs.scene.triangles[triangle].material].cutoff;
+    const double cutoff = triangle.cutoff;
     const bool holds_cutoff =
         cutoff > 0 ? record.cutoff > 0 && is_nearest(record.cutoff, std::max(255 * cutoff, 1.0))
                    : record.cutoff == 0;
     if (!holds_cutoff) return "memory does not hold the cut-off of the texture that was hit";
     // Half the logarithm of the quotient of two areas.
-    const auto& v = inputs.scene.triangles[triangle].vertex;
-    const auto corner = [&](std::size_t k) { return inputs.scene.vertices[v[k]] / inputs.lattice.pitch; };
-    const double area = glm::length(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+    const auto& [p, q, r] = triangle.corners;
+    const double area = glm::length(glm::cross(q - p, r - p));
     const glm::dvec2 e1 = corners[1] - corners[0], e2 = corners[2] - corners[0];
     const double texels = std::abs(e1.x * e2.y - e1.y * e2.x) * levels[0].width * levels[0].height;
     const double most = std::exp2(level_bits - 1) - 1;
@@ -103,10 +103,23 @@ const char* judge_record(const FrameInputs& inputs, std::size_t triangle, const 
 
 }   // namespace
 
-const Texture* texture_of(const Scene& scene, std::size_t primitive) {
-    if (primitive >= scene.triangles.size() || scene.coordinates.empty()) return nullptr;
-    const std::optional<std::uint32_t> number = scene.materials[scene.triangles[primitive].material].texture;
-    return number ? &scene.textures[*number] : nullptr;
+std::optional<TexturedTriangle> textured_triangle(const Scene& scene, const glm::dvec3& pitch,
+                                                  std::size_t primitive) {
+    if (primitive >= scene.triangles.size() || scene.coordinates.empty()) return std::nullopt;
+    const Triangle& triangle = scene.triangles[primitive];
+    const Material& material = scene.materials[triangle.material];
+    if (!material.texture) return std::nullopt;
+    TexturedTriangle found{
+        &scene.textures[*material.texture], scene.coordinates[primitive], {}, material.cutoff};
+    for (std::size_t k = 0; k < 3; ++k) found.corners[k] = scene.vertices[triangle.vertex[k]] / pitch;
+    return found;
+}
+
+bool is_scale(std::int32_t scale, const std::array<std::int64_t, 9>& a, const Config& config) {
+    glm::dmat3 map;
+    for (int i = 0; i < 9; ++i) map[i % 3][i / 3] = double(a[std::size_t(i)]);
+    const double volume = std::abs(glm::determinant(map));
+    return is_nearest(scale, 64 * (std::log2(volume) / 3 - config.map_frac()));
 }
 
 std::uint32_t path_length(std::uint32_t before, const Vec3i& d, std::uint32_t t, const Config& config) {
@@ -126,14 +139,14 @@ bool is_spread(const FrameInputs& inputs, int samples_per_side) {
     return is_nearest(inputs.frame.shade.spread, 64 * (std::log2(width / samples_per_side) - 0.057));
 }
 
-const char* judge_texture(const FrameInputs& inputs, std::size_t triangle, const TexReq& hit,
+const char* judge_texture(const FrameInputs& inputs, const TexturedTriangle& triangle, const TexReq& hit,
                           const TexRecord& record, const TexelPlace& place, const TexRsp& answer) {
-    const Texture* texture = texture_of(inputs.scene, triangle);
-    if (!texture) return "a surface without a texture was drawn with one";
-    if (const char* wrong = judge_record(inputs, triangle, *texture, record)) return wrong;
+    const Texture* const texture = triangle.texture;
+    if (const char* wrong = judge_record(inputs, triangle, record)) return wrong;
 
-    const std::int64_t slant = (64 * unit_bits - log_in_64ths(hit.cosine)) / 2;
-    const std::int64_t detail = record.density + inputs.frame.shade.spread + log_in_64ths(hit.path) + slant;
+    const std::int64_t slant = std::max<std::int64_t>(64 * unit_bits - log_in_64ths(hit.cosine), 0) / 2;
+    const std::int64_t detail =
+        record.density + hit.scale + inputs.frame.shade.spread + log_in_64ths(hit.path) + slant;
     const Int128 level = std::clamp<Int128>(floor_of(detail + 32, 64), 0, Int128(record.last_level));
     if (Int128(place.level) != level) return "a texture's level is not the one of the hit's distance";
 

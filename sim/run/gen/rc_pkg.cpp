@@ -249,7 +249,7 @@ void parts(Package& p, const Config& config) {
     Config shading = config;   // other chips do not use these records, but tools parse the units of shade
     shading.shading = true;
     p.part<Closest>("shade_hit", {"found", "back", "prim", "t", "u", "v"}, shading);
-    p.part<Placement>("shade_place", {"here", "a", "b"}, shading);
+    p.part<Placement>("shade_place", {"here", "texel_scale", "a", "b"}, shading);
     p.part<ShadeState>("shade_pixel", {"x", "y"});
     p.part<ShadeState>("shade_every", {"next_event", "pending", "found", "prim", "t", "u", "v", "colour",
                                        "weight", "depth", "light", "in_cell", "across", "path", "holes"});
