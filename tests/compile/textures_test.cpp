@@ -91,7 +91,7 @@ void check_texel(const MemoryImage& image, const Texture& texture, TexRecord rec
         return std::int32_t((2 * std::int64_t(i) + 1) * (1 << (coordinate_frac - 1)) / side);
     };
     record.s.fill(middle(x, picture.width)), record.t.fill(middle(y, picture.height));
-    record.density = 16 * level;
+    record.density = level * (1 << level_frac);
     TexReq hit;
     hit.path = 1, hit.cosine = 1 << unit_bits;
     const TexelPlace place = texel_place(hit, record, 0, config);
@@ -293,13 +293,13 @@ TEST_CASE("a record holds the nearest numbers to a triangle's coordinates and de
         REQUIRE(WrapMode(record.wrap_t) == mode(texture.wrap_t));
         const auto [area, texels] = areas(scene, i, lattice.pitch);
         const long double exact =
-            area > 0 && texels > 0 ? 16 * (std::log2(texels / area) / 2 - config.t_frac_bits) : -most;
+            area > 0 && texels > 0 ? 64 * (std::log2(texels / area) / 2 - config.t_frac_bits) : -most;
         REQUIRE(std::fabs(record.density - std::clamp<long double>(exact, -most, most)) <= 0.5L + 1e-6L);
         inside += area > 0 && texels > 0;
     }
     CHECK(inside >= 250);
-    CHECK(record_of(scene, lattice, config, 0, 0).density == -2047);
-    CHECK(record_of(scene, lattice, config, 1, 0).density == -2047);
+    CHECK(record_of(scene, lattice, config, 0, 0).density == -8191);
+    CHECK(record_of(scene, lattice, config, 1, 0).density == -8191);
 }
 
 TEST_CASE("the register for the spread of samples holds the nearest number", "[textures]") {
@@ -311,7 +311,8 @@ TEST_CASE("the register for the spread of samples holds the nearest number", "[t
                 const double width =
                     2 * std::tan(degrees * 3.14159265358979323846 / 360) / double(height) / double(side);
                 INFO(degrees << " " << height << " " << side);
-                CHECK(std::abs(spread_of(camera, height, side) - 16 * std::log2(width)) <= 0.5 + 1e-9);
+                CHECK(std::abs(spread_of(camera, height, side) - 64 * (std::log2(width) - 0.057)) <=
+                      0.5 + 1e-9);
             }
 }
 
