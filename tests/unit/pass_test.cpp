@@ -91,6 +91,7 @@ template <class P> void compare(const RtlModule& rtl, const char* name, const P&
 
 void judge(const RtlModule& rtl, const PassIn& in, const Frame& frame, const Config& c) {
     CAPTURE(in.state.next_event, in.surface.kind, in.hit.found, in.state.waiting);
+    CAPTURE(in.hole, in.state.holes, in.texel, in.state.albedo, in.state.ambient, in.state.colour);
     const PassOut out = pass(in, frame, c);
     REQUIRE(got(rtl, "end_ray")[0] == in.ray);
     REQUIRE(got(rtl, "leave")[0] == std::uint32_t(out.leave));
@@ -105,7 +106,12 @@ void judge(const RtlModule& rtl, const PassIn& in, const Frame& frame, const Con
     REQUIRE(pack(seen(state, c), c) == pack(seen(out.state, c), c));
     REQUIRE(got(rtl, "push")[0] == std::uint32_t(out.push));
     if (out.push) compare(rtl, "pushed", out.pushed, c);
-    if (out.leave == PassOut::Leave::spawn) compare(rtl, "spawn", out.spawn, c);
+    if (out.leave == PassOut::Leave::spawn) {
+        const auto sent = get_data<Spawn>(rtl.port("spawn"), c);
+        CAPTURE(sent.o, out.spawn.o, sent.d, out.spawn.d, sent.home.line, out.spawn.home.line, sent.home.o,
+                out.spawn.home.o, sent.home.d, out.spawn.home.d);
+        compare(rtl, "spawn", out.spawn, c);
+    }
     if (out.leave == PassOut::Leave::pixel) compare(rtl, "pixel", out.pixel, c);
     if (out.leave == PassOut::Leave::texture) compare(rtl, "tex_req", out.tex, c);
 }
@@ -273,6 +279,7 @@ TEST_CASE("the length of a path is that of its rays, rounded down and saturated"
         REQUIRE(double(length) / 128 <= 1.1128 * exact);
         REQUIRE(double(length + 2) / 128 >= 0.9742 * exact);
     }
+    CAPTURE(saturated, longer);
     CHECK((saturated > 500 && longer > 500));
 }
 
@@ -379,6 +386,7 @@ TEST_CASE("a ray goes on through a hole, in its own direction and with its own w
         in.state.next_event = std::uint32_t(ShadeEvent::texture);
         in.state.far = in.state.lost = 0;
         for (std::size_t k = 0; const std::int32_t x : draw_place(draw, c)) in.state.o[k++] = x;
+        for (std::size_t k = 0; const std::int32_t x : draw_place(draw, c)) in.state.inner[k++] = x;
         in.hole = 1;
         if (in.state.holes == 63) continue;
         (in.state.holes == 0 ? first : later)++;

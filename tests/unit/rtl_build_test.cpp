@@ -75,8 +75,6 @@ TEST_CASE("the units' rtl is built", "[.build]") {
                         {"rc_tex", "narrow", test::tex_config},
                         {"rc_tex", "fine", test::tex_config},
                         {"rc_tex", "levels", test::tex_config},
-                        {"rc_texel_filter", "rgb888", test::tex_config},
-                        {"rc_texel_filter", "rgb565", test::tex_config},
                         {"rc_log", "rgb888", test::tex_config},
                         {"rc_sched", "0", tiled},
                         {"rc_sched", "3", tiled},

@@ -308,45 +308,58 @@ TEST_CASE("a hole is where the filtered alpha is below the cut-off, with all wei
     }
 }
 
-TEST_CASE("the rtl's filter has holes where alpha is below the cut-off", "[tex][hole][rtl]") {
+TEMPLATE_TEST_CASE("tex answers with a hole where alpha is below the cut-off", "[tex][hole][rtl]", TexModel,
+                   TexRtl) {
     const Config config = tex_config(GENERATE("rgb888", "rgb565"));
-    RtlModule rtl(config, "rc_texel_filter");
-    const auto put = [&](const char* name, std::uint32_t value) {
-        std::memcpy(rtl.port(name).data, &value, rtl.port(name).bytes);
-    };
-    put("valid", 0);
-    rtl.reset();
+    const Frame frame = tex_frame(0);
+    TestType dut{config, frame};
     Draw draw{43};
-    std::deque<std::pair<int, bool>> wanted;   // when, what
-    int cycle = 0, holes = 0, checked = 0;
-    const auto clock = [&] {
-        rtl.settle();
-        if (!wanted.empty() && wanted.front().first == cycle) {
-            const auto answer = get_data<TexRsp>(rtl.port("rsp"), config);
-            INFO("cycle " << cycle);
-            REQUIRE((answer.hole != 0) == wanted.front().second);
-            holes += wanted.front().second, ++checked;
-            wanted.pop_front();
-        }
-        rtl.clock();
-        ++cycle;
-    };
+    int holes = 0, checked = 0;
+    // Answers a request for each context in turn: all records, then all texels.
+    std::vector<std::pair<int, int>> weights(std::size_t(config.contexts));
     for (const HoleCase& it : hole_cases(config.texels)) {
         const Line line = with_alphas(it.alphas, config.texels);
-        copy_words(rtl.port("line"), Words(line.begin(), line.end()));
-        for (int i = 0; i < 600; ++i) {
-            // Weights at an end, or just beside it, decide most cases.
-            const int x = int(draw.natural(texel_frac)), y = int(draw.natural(texel_frac));
-            const TexelPlace place{
-                .x = 1, .weight_x = std::uint32_t(x), .weight_y = std::uint32_t(y), .cutoff = it.cutoff};
-            put("valid", 1);
-            set_data(rtl.port("place"), place, config);
-            wanted.emplace_back(cycle + config.tex_filter_latency(), is_hole(it, x, y, config.texels));
-            clock();
+        // Weights at an end, or just beside it, decide most cases.
+        for (auto& [x, y] : weights) x = int(draw.natural(texel_frac)), y = int(draw.natural(texel_frac));
+        std::size_t asked = 0, records = 0, texels = 0, answered = 0;
+        std::vector<TexelRsp> pending;
+        for (int cycle = 0; answered < weights.size(); ++cycle) {
+            REQUIRE(cycle < 10 * config.contexts + 100);
+            dut.req.offer.reset(), dut.texel_rsp.offer.reset();
+            if (asked < weights.size()) dut.req.offer = TexReq{.ray = std::uint32_t(asked), .record = 5};
+            if (!pending.empty()) dut.texel_rsp.offer = pending.front();
+            dut.texel_req.ready = true;
+            dut.eval();
+            if (dut.rsp) {
+                const auto [x, y] = weights[dut.rsp->ray];
+                const bool wanted = is_hole(it, x, y, config.texels);
+                CAPTURE(it.cutoff, it.alphas, x, y);
+                REQUIRE((dut.rsp->hole != 0) == wanted);
+                holes += wanted, ++checked, ++answered;
+            }
+            if (dut.texel_rsp.fires()) pending.erase(pending.begin());
+            if (dut.texel_req.fires()) {
+                const std::uint32_t ray = dut.texel_req.offer->ray;
+                TexelRsp answer{ray, line};
+                if (dut.req.fires()) {
+                    // 4 x 4 texels in one level. The filter's first texel is (1, 0).
+                    const auto [x, y] = weights[ray];
+                    const std::int32_t s = (256 + 128 + x) << 10, t = (128 + y) << 10;
+                    TexRecord record{.s = {s, s, s}, .t = {t, t, t}, .log_width = 2, .log_height = 2};
+                    record.wrap_s = record.wrap_t = std::uint32_t(WrapMode::clamp);
+                    record.cutoff = it.cutoff;
+                    answer.line = {};
+                    std::ranges::copy(pack(record, config), answer.line.begin());
+                    ++asked, ++records;
+                } else {
+                    ++texels;
+                }
+                pending.push_back(answer);
+            }
+            dut.commit();
         }
+        REQUIRE((records == weights.size() && texels == weights.size()));
     }
-    put("valid", 0);
-    while (!wanted.empty()) clock();
     CHECK((holes > checked / 10 && holes < checked * 9 / 10));
 }
 

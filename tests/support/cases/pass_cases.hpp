@@ -218,7 +218,8 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
     s.ratio = std::uint32_t(draw.percent(70) ? draw.between(2000, 8000) : int(draw.natural(ratio_bits)));
     s.schlick = draw.coin();
     s.cell = random_cell(draw, c), s.across = random_cell(draw, c);
-    s.light = frame.shade.lights > 0 ? std::uint32_t(draw.below(int(frame.shade.lights))) : 0;
+    const bool has_light = frame.shade.lights > 0 && !is_textured;   // before its lights, the number is 0
+    s.light = has_light ? std::uint32_t(draw.below(int(frame.shade.lights))) : 0;
     s.total = c.refraction && draw.coin();
     if (s.far && draw.percent(70)) aim_far(draw, frame, c, s);
     if (c.has_homes()) {

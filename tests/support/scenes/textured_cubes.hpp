@@ -61,6 +61,7 @@ public:
                 pixels.push_back({std::uint8_t(16 * x), std::uint8_t(16 * y), 128,
                                   std::uint8_t((x / 2 + y / 2) % 3 == 0 ? 0 : 255)});
         folder_.write("p.png", SmallPng(16, 16, pixels).bytes());
+        write_net();
         folder_.write("m.mtl", "newmtl painted\nKd 1 1 1\nmap_Kd p.png\n");
         folder_.write("m.obj",
                       "mtllib m.mtl\nusemtl painted\n"
@@ -71,38 +72,57 @@ public:
     }
 
     /// Six instances: plain; twice as large and turned; mirrored; stretched by 3, 1/2 and 1; with a material
-    /// of its own that has no texture; far away and eight times as large. With holes, a seventh one stands in
-    /// front of them, with a texture that has holes.
+    /// of its own that has no texture; far away and eight times as large. With holes, a square with holes
+    /// stands in front of them.
     std::string still(bool has_holes) const {
-        return scene(
-            "still.json",
-            R"([{"translate": [-2, 0, 0]},
+        return scene("still.json",
+                     R"({"mesh": "cube", "instances": [{"translate": [-2, 0, 0]},
                 {"translate": [1, 0, 1], "scale": 2, "rotate": {"axis": [0, 1, 0], "degrees": 30}},
                 {"matrix": [-1, 0, 0, 0,  0, 1, 0, 0,  0, 0, 1, 2,  0, 0, 0, 1]},
                 {"matrix": [3, 0, 0, -3,  0, 0.5, 0, 1.5,  0, 0, 1, -2,  0, 0, 0, 1]},
                 {"translate": [0, 0, 3], "rotate": {"axis": [1, 1, 0], "degrees": 50}, "material": "clay"},
-                {"translate": [0, 0, -40], "scale": 8})" +
-                std::string(has_holes ? R"(, {"translate": [0.6, 0.9, 4.2], "scale": 0.7, "material": "net",
-                                              "rotate": {"axis": [1, 0, 0], "degrees": 20}}])"
-                                      : "]"));
+                {"translate": [0, 0, -40], "scale": 8}]})" +
+                         std::string(has_holes ? R"(, {"mesh": "net", "translate": [1, 1.2, 4], "scale": 1.5,
+                                              "rotate": {"axis": [1, 0, 0], "degrees": -20}})"
+                                               : ""));
     }
     /// A turning instance in front of one that stands still. One second.
     std::string turning() const {
-        return scene("turning.json", R"([{"translate": [-2, 0, 0]},
+        return scene("turning.json", R"({"mesh": "cube", "instances": [{"translate": [-2, 0, 0]},
             {"keyframes": [{"time": 0, "translate": [1, 0, 1], "rotate": {"axis": [0, 1, 0], "degrees": 0}},
                            {"time": 1, "translate": [1, 1, 1],
-                            "rotate": {"axis": [0, 1, 0], "degrees": 120}}]}])");
+                            "rotate": {"axis": [0, 1, 0], "degrees": 120}}]}]})");
     }
 
 private:
-    std::string scene(const std::string& name, const std::string& instances) const {
-        return folder_.write(name, R"({"meshes": {"cube": {"file": "m.obj"}},
+    std::string scene(const std::string& name, const std::string& objects) const {
+        return folder_.write(name, R"({"meshes": {"cube": {"file": "m.obj"}, "net": {"file": "net.gltf"}},
             "camera": {"eye": [3, 3, 7], "at": [0, 0.5, 0], "fov_degrees": 45},
-            "materials": {"clay": {"colour": [0.8, 0.3, 0.2]},
-                          "net": {"colour": [1, 1, 0.5], "texture": "p.png", "cutoff": 0.5}},
+            "materials": {"clay": {"colour": [0.8, 0.3, 0.2]}},
             "lights": [{"position": [4, 8, 6], "colour": [1, 1, 1]}],
-            "objects": [{"mesh": "cube", "instances": )" +
-                                       instances + "}]}");
+            "objects": [)" + objects + "]}");
+    }
+
+    /// A square of two triangles, whose material has holes where alpha is below 1/2.
+    void write_net() const {
+        std::string bin;
+        for (const int x : {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}) bin += raw(float(x));   // positions
+        for (const int x : {0, 1, 1, 1, 1, 0, 0, 0}) bin += raw(float(x));                   // coordinates
+        for (const int i : {0, 1, 2, 0, 2, 3}) bin += raw(std::uint16_t(i));
+        folder_.write("net.bin", bin);
+        folder_.write("net.gltf", R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+            "nodes": [{"mesh": 0}], "images": [{"uri": "p.png"}], "textures": [{"source": 0}],
+            "materials": [{"alphaMode": "MASK", "alphaCutoff": 0.5,
+                           "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+            "meshes": [{"primitives": [{"material": 0, "indices": 2,
+                                        "attributes": {"POSITION": 0, "TEXCOORD_0": 1}}]}],
+            "buffers": [{"uri": "net.bin", "byteLength": 92}],
+            "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 32},
+                            {"buffer": 0, "byteOffset": 80, "byteLength": 12}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3",
+                           "min": [-1, -1, 0], "max": [1, 1, 0]},
+                          {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC2"},
+                          {"bufferView": 2, "componentType": 5123, "count": 6, "type": "SCALAR"}]})");
     }
 
     Folder folder_;
