@@ -115,6 +115,70 @@ TEST_CASE("model and rtl of shade make the same moves in every cycle, for long",
     check(format, 1, 2, 40000);
 }
 
+// The ray meets textured triangles only. Each has a hole.
+TEMPLATE_TEST_CASE("a ray goes through 63 holes, and the next texture is drawn", "[shade][hole]", ShadeModel,
+                   ShadeRtl) {
+    const Config c = shape("textured:all", 64, 64);
+    Frame frame;
+    frame.shade.side = 1, frame.shade.depth = 0;
+    frame.shade.share = 1 << unit_bits;
+    TestType dut(c, frame);
+    still(dut);
+    // Runs until a link fires, and returns its payload.
+    const auto next = [&](auto& link) {
+        for (int i = 0; i < 400; ++i) {
+            dut.eval();
+            const auto offer = link.offer;
+            dut.commit();
+            still(dut);
+            if (offer) return *offer;
+        }
+        FAIL("nothing comes");
+        return *link.offer;
+    };
+    dut.slot = Slot{5, 7, 9};
+    step(dut);
+    Ray ray;
+    ray.ray = 5, ray.o = {100, -200, 300}, ray.d = {70, 80, 90};
+    const int holes = 63;
+    for (int i = 0; i <= holes; ++i) {
+        INFO("hole " << i);
+        dut.ray = ray;
+        step(dut);
+        const Closest hit{5, 1, std::uint32_t(i), std::uint32_t(1000 + i), 1u << (c.bary_bits - 2), 0, 0};
+        dut.closest.offer = hit;
+        step(dut);
+        REQUIRE(next(dut.surf_req).ray == 5);
+        Surface surface;
+        surface.record = 77;
+        surface.a = {10, 20, i}, surface.b = {14, 20, i}, surface.c = {10, 24, i};
+        surface.colour = {4096, 4096, 4096}, surface.ambient = 4096;
+        dut.surf_rsp.offer = SurfRsp{5, surface};
+        dut.eval();
+        while (!dut.surf_rsp.ready) step(dut), dut.surf_rsp.offer = SurfRsp{5, surface}, dut.eval();
+        dut.commit();
+        still(dut);
+        const TexReq request = next(dut.tex_req);
+        REQUIRE((request.ray == 5 && request.record == 77));
+        dut.tex_rsp = TexRsp{5, 1, {4096, 2048, 0}};
+        step(dut);
+        dut.tex_rsp.reset();
+        if (i == holes) break;
+        const Spawn goes_on = next(dut.spawn);
+        REQUIRE(goes_on.kind == std::uint32_t(RayKind::bounce));
+        REQUIRE(goes_on.d == ray.d);
+        // At a quarter of the first edge, at most 1/256 of a step inwards.
+        for (std::size_t k = 0; const int at : {11, 20, i}) {
+            const std::int32_t beside = goes_on.o[k++] - (at << c.origin_bits);
+            REQUIRE((beside >= 0 && beside <= 1 << (c.origin_bits - 8)));
+        }
+        ray.kind = goes_on.kind, ray.o = goes_on.o;
+    }
+    const Pixel pixel = next(dut.pixel);
+    REQUIRE((pixel.first.found == 1 && pixel.first.prim == 0 && pixel.first.t == 1000));
+    REQUIRE(pixel.colour == std::array<std::uint32_t, 3>{1 << 16, 1 << 15, 0});
+}
+
 // A camera ray that hits nothing has two passes: for its background, and for the end of the sample.
 TEMPLATE_TEST_CASE("shade answers after exactly its latency", "[shade]", ShadeModel, ShadeRtl) {
     const Config c = shape(GENERATE("plain", "every4:plain"), 64, 64);

@@ -1,6 +1,7 @@
 #pragma once
 // Configurations of shading chips, and random passes of the unit shade with every event and every kind of
 // surface.
+#include "model/scene/whitted.hpp"
 #include "model/unit/shade/bounce.hpp"
 #include "model/engine/check.hpp"
 #include "model/unit/shade/pass.hpp"
@@ -172,7 +173,13 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
         s.path = std::uint32_t(draw.natural(draw.between(1, c.t_bits())));
         s.ambient = share_up_to(draw, share_bits);
         s.record = draw.coin() ? 0 : std::uint32_t(draw.natural(c.addr_bits));
+        s.holes = std::uint32_t(draw.coin()        ? 0
+                                : draw.percent(40) ? most_holes
+                                : draw.percent(40) ? most_holes - 1
+                                                   : int(draw.natural(hole_bits)));
     }
+    // Only triangles have textures, and their points lie in the lattice.
+    const bool is_textured = s.next_event == std::uint32_t(ShadeEvent::texture);
     if (s.next_event == std::uint32_t(ShadeEvent::light) && frame.shade.lights == 0) s.next_event = 0;
     if (s.next_event == std::uint32_t(ShadeEvent::refract) && !c.refraction)
         s.next_event = std::uint32_t(ShadeEvent::reflect);
@@ -196,7 +203,7 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
     s.weight = share_up_to(draw, unit_bits);
     s.depth = std::uint32_t(draw.below(15));
     for (std::size_t k = 0; const std::int32_t x : draw_place(draw, c)) s.o[k++] = x;
-    s.far = c.planes && draw.percent(30), s.lost = s.far && draw.percent(20);
+    s.far = c.planes && !is_textured && draw.percent(30), s.lost = s.far && draw.percent(20);
     if (s.far)
         for (auto& x : s.o) x = draw.number(draw.between(c.origin_width(), c.point_width() - 1));
     for (auto& x : s.n) x = draw.percent(5) ? 0 : draw.number(c.normal_bits() - 1);
@@ -211,7 +218,8 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
     s.ratio = std::uint32_t(draw.percent(70) ? draw.between(2000, 8000) : int(draw.natural(ratio_bits)));
     s.schlick = draw.coin();
     s.cell = random_cell(draw, c), s.across = random_cell(draw, c);
-    s.light = frame.shade.lights > 0 ? std::uint32_t(draw.below(int(frame.shade.lights))) : 0;
+    const bool has_light = frame.shade.lights > 0 && !is_textured;   // before its lights, the number is 0
+    s.light = has_light ? std::uint32_t(draw.below(int(frame.shade.lights))) : 0;
     s.total = c.refraction && draw.coin();
     if (s.far && draw.percent(70)) aim_far(draw, frame, c, s);
     if (c.has_homes()) {
@@ -246,9 +254,10 @@ inline PassIn random_pass(Draw& draw, const Frame& frame, const Config& c) {
         in.top.cell = random_cell(draw, c), in.top.partial = c.horizon && draw.coin();
         if (c.has_textures()) in.top.path = std::uint32_t(draw.natural(c.t_bits()));
     }
-    if (c.has_textures()) in.texel = shares_up_to(draw, share_bits);
+    if (c.has_textures()) in.texel = shares_up_to(draw, share_bits), in.hole = draw.coin();
     if (c.has_homes()) {
         in.placement = pass_placement(draw, c, in.state);
+        if (c.has_textures()) in.placement.texel_scale = std::int32_t(draw.number(level_bits));
         if (c.refraction)
             in.top.home = {std::uint32_t(draw.natural(c.addr_bits)), draw_place(draw, c),
                            draw.vector(c.dir_bits)};

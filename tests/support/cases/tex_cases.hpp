@@ -14,6 +14,7 @@ __extension__ using Int128 = __int128;
 
 /// Returns a chip with textures. "rgb888" has the widths of default, "rgb565" those of ulx3s-shaded. "narrow"
 /// has few contexts, few bits of u and v, and the shortest addresses. "fine" has the most bits of u and v.
+/// "levels" has two levels.
 inline Config tex_config(const std::string& name) {
     Config c = named_config(name == "rgb565" ? "ulx3s-shaded" : "default");
     c.name = name;
@@ -21,6 +22,7 @@ inline Config tex_config(const std::string& name) {
     c.texels = name == "rgb565" || name == "narrow" ? TexelFormat::rgb565 : TexelFormat::rgb888;
     if (name == "narrow") c.contexts = 2, c.bary_bits = 4, c.addr_bits = 16, c.origin_bits = 4;
     if (name == "fine") c.bary_bits = 24;
+    if (name == "levels") c.levels = 2;
     check_config(c, name);
     return c;
 }
@@ -29,22 +31,36 @@ inline Config tex_config(const std::string& name) {
 
 inline Int128 floor_by(Int128 x, Int128 by) { return x / by - (x % by < 0); }
 
-/// Returns floor(16 (whole + fraction)), where x = 2^whole (1 + fraction); 0 for 0.
-inline int log_in_16ths(std::uint32_t x) {
+/// Returns 64 log2 of the middle of part `part` of 32 in the octave from 1 to 2, not rounded.
+inline long double exact_log_in_64ths(int part) { return 64 * std::log2((32 + part + 0.5L) / 32); }
+
+/// Returns 64 log2(x), where x counts as the middle of its part of 32 in its octave, rounded to nearest; 0
+/// for 0.
+inline int log_in_64ths(std::uint32_t x) {
+    static const std::vector<int> parts = [] {
+        std::vector<int> values;
+        for (int i = 0; i < 32; ++i) values.push_back(int(std::floor(exact_log_in_64ths(i) + 0.5L)));
+        return values;
+    }();
     if (x == 0) return 0;
     int whole = 0, part = 0;
     while (std::uint64_t(2) << whole <= x) ++whole;
-    while (std::uint64_t(17 + part) << whole <= std::uint64_t(16) * x) ++part;
-    return 16 * whole + part;
+    while (std::uint64_t(33 + part) << whole <= std::uint64_t(32) * x) ++part;
+    return 64 * whole + parts[std::size_t(part)];
 }
 
-/// Returns 16 times the level of a hit before it is rounded and clamped.
-inline int level_in_16ths(const TexReq& hit, const TexRecord& record, int spread) {
-    return record.density + spread + log_in_16ths(hit.path) +
-           int(floor_by(16 * 16 - log_in_16ths(hit.cosine), 2));
+/// Returns 64 times what a slanted view adds to the level. A cosine of 1 counts as a little more, by the
+/// table.
+inline int slant_in_64ths(std::uint32_t cosine) {
+    const int lost = 64 * 16 - log_in_64ths(cosine);
+    return lost > 0 ? lost / 2 : 0;
+}
+/// Returns 64 times the level of a hit before it is rounded and clamped.
+inline int level_in_64ths(const TexReq& hit, const TexRecord& record, int spread) {
+    return record.density + hit.scale + spread + log_in_64ths(hit.path) + slant_in_64ths(hit.cosine);
 }
 inline int wanted_level(const TexReq& hit, const TexRecord& record, int spread) {
-    const auto nearest = int(floor_by(level_in_16ths(hit, record, spread) + 8, 16));
+    const auto nearest = int(floor_by(level_in_64ths(hit, record, spread) + 32, 64));
     return nearest < 0 ? 0 : nearest > int(record.last_level) ? int(record.last_level) : nearest;
 }
 
@@ -89,10 +105,12 @@ inline int tiles_on(int side, int tile) { return side > tile ? side / tile : 1; 
 struct WantedPlace {
     std::uint32_t line = 0;
     int level = 0, x = 0, y = 0, weight_x = 0, weight_y = 0;   ///< x, y: within the tile
+    int cutoff = 0;
 };
 inline WantedPlace wanted_place(const TexReq& hit, const TexRecord& record, int spread, const Config& c) {
     const WantedTile tile = wanted_tile(c.texels);
     WantedPlace place;
+    place.cutoff = int(record.cutoff);
     place.level = wanted_level(hit, record, spread);
     const auto halved = [](std::uint32_t log, int times) { return std::max((1 << log) >> times, 1); };
     const auto lines = [&](int level) {
@@ -149,21 +167,39 @@ inline int intensity_of(std::uint32_t code) {
     }();
     return all[code];
 }
-/// Returns the mean of four texels, rounded half up.
-inline std::array<std::uint32_t, 3> wanted_colour(const Line& line, const WantedPlace& place,
-                                                  TexelFormat format) {
-    std::array<std::uint32_t, 3> colour{};
+/// Returns the alpha of a texel, 0 to 255.
+inline int texel_alpha(std::uint32_t bits, TexelFormat format) {
+    if (format == TexelFormat::rgb888) return int(bits % 256);
+    return bits % 2 != 0 ? 255 : 0;
+}
+/// Returns 65536 times the weighted mean of a value of four texels.
+template <class F>
+std::int64_t filtered_sum(const Line& line, const WantedPlace& place, TexelFormat format, const F& value) {
+    std::int64_t sum = 0;
+    for (int i = 0; i < 2; ++i)
+        for (int j = 0; j < 2; ++j)
+            sum += std::int64_t(value(texel_bits(line, place.x + i, place.y + j, format))) *
+                   (i == 0 ? 256 - place.weight_x : place.weight_x) *
+                   (j == 0 ? 256 - place.weight_y : place.weight_y);
+    return sum;
+}
+/// Returns 65536 times the difference between alpha and the cut-off. A hole is where it is negative.
+inline std::int64_t above_cutoff(const Line& line, const WantedPlace& place, TexelFormat format) {
+    const std::int64_t alpha =
+        filtered_sum(line, place, format, [&](std::uint32_t bits) { return texel_alpha(bits, format); });
+    return alpha - 65536 * std::int64_t(place.cutoff);
+}
+/// Returns the mean of four texels, rounded half up, and whether there is a hole. Without a ray.
+inline TexRsp wanted_answer(const Line& line, const WantedPlace& place, TexelFormat format) {
+    TexRsp answer;
     for (std::size_t k = 0; k < 3; ++k) {
-        std::int64_t sum = 0;
-        for (int i = 0; i < 2; ++i)
-            for (int j = 0; j < 2; ++j)
-                sum += std::int64_t(intensity_of(
-                           texel_code(texel_bits(line, place.x + i, place.y + j, format), k, format))) *
-                       (i == 0 ? 256 - place.weight_x : place.weight_x) *
-                       (j == 0 ? 256 - place.weight_y : place.weight_y);
-        colour[k] = std::uint32_t((sum + 32768) / 65536);
+        const std::int64_t sum = filtered_sum(line, place, format, [&](std::uint32_t bits) {
+            return intensity_of(texel_code(bits, k, format));
+        });
+        answer.colour[k] = std::uint32_t((sum + 32768) / 65536);
     }
-    return colour;
+    answer.hole = above_cutoff(line, place, format) < 0;
+    return answer;
 }
 
 // ---- Random operands.
@@ -200,6 +236,7 @@ inline TexRecord random_record(Draw& draw, const Config& c) {
     record.nearest = draw.percent(25);
     record.last_level = draw.percent(15) ? 0 : std::max(record.log_width, record.log_height);
     record.density = std::int32_t(draw.number(level_bits));
+    record.cutoff = std::uint32_t(draw.percent(20) ? 0 : draw.percent(20) ? 255 : draw.natural(8));
     return record;
 }
 
@@ -212,21 +249,50 @@ inline TexReq random_hit(Draw& draw, const Config& c) {
     const std::uint32_t side = 1u << c.bary_bits;
     hit.u = std::min(std::uint32_t(draw.percent(10) ? side : draw.natural(c.bary_bits)), side);
     hit.v = std::min(std::uint32_t(draw.percent(30) ? side : draw.natural(c.bary_bits)), side - hit.u);
+    if (c.has_homes()) hit.scale = std::int32_t(draw.number(draw.coin() ? level_bits : 10));
     return hit;
 }
 
 /// Moves the density so that the level lies in the texture, often exactly between two numbers or at an end.
 inline void aim_level(Draw& draw, const TexReq& hit, TexRecord& record, int spread) {
-    const int target = 16 * draw.between(-1, int(record.last_level) + 1) +
-                       (draw.coin() ? 8 : draw.below(16)) + draw.between(-1, 1);
+    const int target = 64 * draw.between(-1, int(record.last_level) + 1) +
+                       (draw.coin() ? 32 : draw.below(64)) + draw.between(-1, 1);
     const int most = (1 << (level_bits - 1)) - 1;
     record.density =
-        std::clamp(record.density + target - level_in_16ths(hit, record, spread), -most - 1, most);
+        std::clamp(record.density + target - level_in_64ths(hit, record, spread), -most - 1, most);
 }
 
 inline Line random_texels(Draw& draw) {
     Line line{};
     for (auto& word : line) word = std::uint32_t(draw.bits(32));
+    return line;
+}
+/// Replaces the alpha of a texel: 8 bits, or 1 bit.
+inline void set_alpha(Line& line, int x, int y, std::uint32_t alpha, TexelFormat format) {
+    const WantedTile tile = wanted_tile(format);
+    const auto first = std::size_t((y * (tile.width + 1) + x) * tile.bits);
+    for (std::size_t i = 0; i < (format == TexelFormat::rgb888 ? 8 : 1); ++i) {
+        std::uint32_t& word = line[(first + i) / 32];
+        const std::uint32_t bit = 1u << (first + i) % 32;
+        word = alpha >> i & 1 ? word | bit : word & ~bit;
+    }
+}
+/// Draws texels whose alpha is often the cut-off, or differs from it by 1. An alpha of one bit is often 1 in
+/// all texels, or in none.
+inline Line random_texels(Draw& draw, std::uint32_t cutoff, TexelFormat format) {
+    Line line = random_texels(draw);
+    const int how = draw.below(4);   // 0: at random; 1: all one below, at or above; 2: each its own; 3: few
+    if (how == 0) return line;
+    const WantedTile tile = wanted_tile(format);
+    const int all = draw.between(-1, 1);
+    for (int y = 0; y <= tile.height; ++y)
+        for (int x = 0; x <= tile.width; ++x) {
+            const int beside = how == 1 ? all : how == 2 ? draw.between(-1, 1) : draw.percent(10) ? all : 0;
+            set_alpha(line, x, y,
+                      format == TexelFormat::rgb888 ? std::uint32_t(std::clamp(int(cutoff) + beside, 0, 255))
+                                                    : std::uint32_t(beside >= 0),
+                      format);
+        }
     return line;
 }
 

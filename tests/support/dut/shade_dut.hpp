@@ -47,7 +47,10 @@ public:
             wants = in.hit.found && in.state.next_event == std::uint32_t(ShadeEvent::arrive);
         }
         if (surf_rsp.fires()) contexts_[surf_rsp.offer->ray].in.surface = surf_rsp.offer->surface;
-        if (tex_rsp) contexts_[tex_rsp->ray].in.texel = tex_rsp->colour;
+        if (tex_rsp) {
+            PassIn& in = contexts_[tex_rsp->ray].in;
+            in.texel = tex_rsp->colour, in.hole = tex_rsp->hole;
+        }
         const auto clock = [&]<bool textures>() {
             shade_.clock<false, textures>(
                 now_++, ray_of(closest.offer), wants ? Shade::Wants::surface : Shade::Wants::nothing,
@@ -176,7 +179,7 @@ public:
         if (config_.has_textures()) {
             in.tex_req.ready = !draw_.percent(stall_);
             if (!textured_.empty() && !draw_.percent(idle_))
-                in.tex_rsp = TexRsp{take(textured_), shares_up_to(draw_, share_bits)};
+                in.tex_rsp = TexRsp{take(textured_), draw_.coin(), shares_up_to(draw_, share_bits)};
         }
         in.surf_req.ready = !draw_.percent(stall_), in.spawn.ready = !draw_.percent(stall_),
         in.pixel.ready = !draw_.percent(stall_);

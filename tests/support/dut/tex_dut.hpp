@@ -29,7 +29,7 @@ public:
           tex_(config),
           hits_(std::size_t(config.contexts)),
           places_(std::size_t(config.contexts)),
-          colours_(std::size_t(config.contexts)),
+          answers_(std::size_t(config.contexts)),
           reads_texels_(std::size_t(config.contexts)) {}
 
     void eval() {
@@ -42,8 +42,7 @@ public:
             texel_req.offer = TexelReq{req.offer->ray, req.offer->record};
         texel_rsp.ready = true;
         rsp.reset();
-        if (const LinkRay answer = tex_.answer(now_); answer.valid)
-            rsp = TexRsp{std::uint32_t(answer.ray), colours_[answer.ray]};
+        if (const LinkRay answer = tex_.answer(now_); answer.valid) rsp = answers_[answer.ray];
         cause = texel_rsp.offer ? 0 : texels_wait ? 1 : 2;
     }
     void commit() {
@@ -52,11 +51,13 @@ public:
         if (texel_rsp.fires()) {
             const TexelRsp& came = *texel_rsp.offer;
             (reads_texels_[came.ray] ? texels : record) = {true, came.ray};
-            if (texels.valid)
-                colours_[came.ray] = texel_colour(came.line, places_[came.ray], config_.texels);
-            else
+            if (texels.valid) {
+                answers_[came.ray] = filter_texels(came.line, places_[came.ray], config_.texels);
+                answers_[came.ray].ray = came.ray;
+            } else {
                 places_[came.ray] = texel_place(hits_[came.ray], unpack<TexRecord>(came.line.data(), config_),
                                                 spread_, config_);
+            }
         }
         tex_.clock(now_++, texel_req.offer.has_value(), texel_req.fires(), record, texels);
         if (texel_req.fires()) reads_texels_[texel_req.offer->ray] = !req.fires();
@@ -66,10 +67,10 @@ private:
     Config config_;
     std::int32_t spread_;
     Tex tex_;
-    std::vector<TexReq> hits_;                            // [ray]
-    std::vector<TexelPlace> places_;                      // [ray]
-    std::vector<std::array<std::uint32_t, 3>> colours_;   // [ray]
-    std::vector<bool> reads_texels_;                      // [ray]
+    std::vector<TexReq> hits_;         // [ray]
+    std::vector<TexelPlace> places_;   // [ray]
+    std::vector<TexRsp> answers_;      // [ray]
+    std::vector<bool> reads_texels_;   // [ray]
     std::uint64_t now_ = 0;
 };
 
@@ -108,7 +109,12 @@ public:
     /// `idle`, `stall`: the shares of cycles, in percent, in which shade and memory offer nothing, and in
     /// which the cache accepts no request.
     TexWorld(const Config& config, const Frame& frame, unsigned seed, int idle, int stall)
-        : config_(config), spread_(frame.shade.spread), idle_(idle), stall_(stall), draw_(seed) {
+        : config_(config),
+          spread_(frame.shade.spread),
+          idle_(idle),
+          stall_(stall),
+          draw_(seed),
+          cutoffs_(std::size_t(config.contexts)) {
         for (int ray = 0; ray < config.contexts; ++ray) free_.push_back(std::uint32_t(ray));
     }
 
@@ -129,9 +135,14 @@ public:
     void take_over(const TexLinks& out) {
         if (out.rsp) free_.push_back(out.rsp->ray), ++answered;
         if (out.texel_req.fires()) {
-            TexelRsp answer{out.texel_req.offer->ray, random_texels(draw_)};
-            if (out.req.fires()) {
+            const std::uint32_t ray = out.texel_req.offer->ray;
+            TexelRsp answer{ray, {}};
+            if (!out.req.fires()) {
+                answer.line = random_texels(draw_, cutoffs_[ray], config_.texels);
+            } else {
+                answer.line = random_texels(draw_);
                 TexRecord record = random_record(draw_, config_);
+                cutoffs_[ray] = record.cutoff;
                 if (draw_.percent(70)) aim_level(draw_, *hit_, record, spread_);
                 Words words = pack(record, config_);
                 for (std::size_t i = 0; i < words.size(); ++i) {
@@ -158,6 +169,7 @@ private:
     std::int32_t spread_;
     int idle_, stall_;
     Draw draw_;
+    std::vector<std::uint32_t> cutoffs_;   // [ray], of the record that it has read last
     std::vector<std::uint32_t> free_;
     std::optional<TexReq> hit_;
     std::vector<TexelRsp> pending_;
@@ -199,6 +211,7 @@ public:
             const TexRsp& wanted = filtered_.front().second;
             REQUIRE(seen.rsp->ray == wanted.ray);
             REQUIRE(seen.rsp->colour == wanted.colour);
+            REQUIRE(seen.rsp->hole == wanted.hole);
             filtered_.pop_front();
         }
         REQUIRE(seen.cause == (seen.texel_rsp.offer ? 0u : seen.texels_wait ? 1u : 2u));
@@ -214,6 +227,9 @@ public:
     int overtaken = 0;              ///< cycles in which texels went before the record of a waiting hit
     std::array<int, 13> levels{};   ///< hits by level
     int clamped = 0, mixed = 0;     ///< hits beyond the last level; with both weights
+    int holes = 0;                  ///< hits of a hole
+    int edges = 0;                  ///< hits where alpha is exactly the cut-off, which is not 0
+    int below_edges = 0;            ///< holes where alpha is less than one 255th below the cut-off
     std::array<std::vector<bool>, 3> codes{std::vector<bool>(256), std::vector<bool>(256),
                                            std::vector<bool>(256)};   ///< seen with weight 1
 
@@ -232,11 +248,15 @@ private:
             ray.place = wanted_place(ray.hit, record, spread_, config_);
             addressed_.emplace_back(now_ + std::uint64_t(config_.tex_address_latency()) + 1, came.ray);
             ++levels[std::size_t(ray.place.level)];
-            clamped += level_in_16ths(ray.hit, record, spread_) >= 16 * int(record.last_level) + 8;
+            clamped += level_in_64ths(ray.hit, record, spread_) >= 64 * int(record.last_level) + 32;
             mixed += ray.place.weight_x != 0 && ray.place.weight_y != 0;
         } else {
-            filtered_.emplace_back(now_ + std::uint64_t(config_.tex_filter_latency()),
-                                   TexRsp{came.ray, wanted_colour(came.line, ray.place, config_.texels)});
+            TexRsp answer = wanted_answer(came.line, ray.place, config_.texels);
+            answer.ray = came.ray;
+            filtered_.emplace_back(now_ + std::uint64_t(config_.tex_filter_latency()), answer);
+            const std::int64_t above = above_cutoff(came.line, ray.place, config_.texels);
+            holes += above < 0, edges += above == 0 && ray.place.cutoff > 0;
+            below_edges += above < 0 && above > -65536;
             const std::uint32_t bits = texel_bits(came.line, ray.place.x, ray.place.y, config_.texels);
             if (ray.place.weight_x == 0 && ray.place.weight_y == 0)
                 for (std::size_t k = 0; k < 3; ++k) codes[k][texel_code(bits, k, config_.texels)] = true;
@@ -257,7 +277,7 @@ private:
 /// Returns a frame whose spread is usual, or at an end.
 inline Frame tex_frame(unsigned number) {
     constexpr std::int32_t most = (1 << (level_bits - 1)) - 1;
-    constexpr std::int32_t spreads[] = {-176, most, -most - 1, 0};
+    constexpr std::int32_t spreads[] = {-704, most, -most - 1, 0};
     Frame frame;
     frame.shade.spread = spreads[number % std::size(spreads)];
     return frame;
