@@ -297,11 +297,11 @@ module rc_pass_end #(
   logic [1:0]           leave;
 
   // A surface with a texture leaves for tex, with two levels after it was transformed.
+  rc_pkg::tex_req_t           request;
   logic                       asks_texture;
   logic [rc_pkg::TexReqW-1:0] tex_req;
 
   if (rc_pkg::HasTextures == 1) begin : gen_texture
-    rc_pkg::tex_req_t request;
 
     assign asks_texture = (rc_pkg::Homes == 1 ? transform_i : surf_i)
                        && begin_state_i.record != '0;
@@ -333,7 +333,8 @@ module rc_pass_end #(
   end else begin : gen_no_texture
     assign textured     = next;
     assign asks_texture = 1'b0;
-    assign tex_req      = '0;
+    assign request      = '0;
+    assign tex_req      = request;
 
     logic unused;
     assign unused = ^{path_i, u_i, v_i, hole_i, scale_i};

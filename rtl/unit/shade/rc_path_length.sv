@@ -21,24 +21,21 @@ module rc_path_length #(
   localparam int unsigned ProductW   = LengthW + TBits;
 
   // s1: |d|, in units of 2^(M-1).
-  logic [M-1:0] size [3];   // 2^(M-1) is possible
+  logic [M-1:0] size_x, size_y, size_z;   // 2^(M-1) is possible
   logic [M-1:0] larger, smaller, longest, second, shortest;   // of the first two; of all
   logic [M+1:0] length;
   logic [LengthW-1:0] s1_length_q;
   logic [TBits-1:0]   s1_t_q, s2_path;
 
-  for (genvar k = 0; k < 3; k++) begin : gen_size
-    logic [M-1:0] d;
+  assign size_x = s0_d_i[M-1] ? -s0_d_i[0 +: M] : s0_d_i[0 +: M];
+  assign size_y = s0_d_i[2*M-1] ? -s0_d_i[M +: M] : s0_d_i[M +: M];
+  assign size_z = s0_d_i[3*M-1] ? -s0_d_i[2*M +: M] : s0_d_i[2*M +: M];
 
-    assign d       = s0_d_i[k*M +: M];
-    assign size[k] = d[M-1] ? -d : d;
-  end
-
-  assign larger   = size[0] > size[1] ? size[0] : size[1];
-  assign smaller  = size[0] > size[1] ? size[1] : size[0];
-  assign longest  = larger > size[2] ? larger : size[2];
-  assign second   = larger <= size[2] ? larger : smaller > size[2] ? smaller : size[2];
-  assign shortest = smaller < size[2] ? smaller : size[2];
+  assign larger   = size_x > size_y ? size_x : size_y;
+  assign smaller  = size_x > size_y ? size_y : size_x;
+  assign longest  = larger > size_z ? larger : size_z;
+  assign second   = larger <= size_z ? larger : smaller > size_z ? smaller : size_z;
+  assign shortest = smaller < size_z ? smaller : size_z;
   assign length   = {2'b0, longest} + {4'b0, second[M-1:2]} + {5'b0, second[M-1:3]}
                   + {4'b0, shortest[M-1:2]} + {6'b0, shortest[M-1:4]};
 

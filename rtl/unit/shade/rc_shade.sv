@@ -127,6 +127,8 @@ module rc_shade (
                                     + 3 * rc_pkg::ValueBits + rc_pkg::ShineBits
                                     + 2 * rc_pkg::RatioBits;
   localparam int unsigned SchlickAt = rc_pkg::SurfaceW - 5;   // after kind, smooth, checkered
+  // After these and fine.
+  localparam int unsigned RecordAt  = rc_pkg::SurfaceW - 8 - AddrBits;
 
   // placing: the line that comes is an instance or its material. placed: an instance is accepted.
   // taken: either is accepted. came: a surface has come.
@@ -225,14 +227,14 @@ module rc_shade (
     end
 
     if (rc_pkg::HasTextures == 1) begin : gen_no_lent_texture
-      rc_pkg::surface_t lent_surface;
+      logic [rc_pkg::SurfaceW-1:0] plain;   // without a texture
 
       always_comb begin
-        lent_surface = lent;
-        if (lent_q[came_ray]) lent_surface.record = '0;
+        plain = lent;
+        if (lent_q[came_ray]) plain[RecordAt +: AddrBits] = '0;
       end
 
-      assign surface_found = lent_surface;
+      assign surface_found = plain;
     end else begin : gen_lent
       assign surface_found = lent;
     end

@@ -131,20 +131,19 @@ module rc_texel_address #(
 
   assign s0_density = s0.density;
 
+  rc_pkg::shade_frame_t      shade_frame;   // lowest in the frame
+  logic [rc_pkg::FrameW-1:0] frame_flat;
+
+  assign frame_flat  = frame_i;
+  assign shade_frame = rc_pkg::ShadeFrameW'(frame_flat);
+
   if (rc_pkg::HasTextures == 1) begin : gen_spread   // tools also parse a chip without textures
-    rc_pkg::shade_frame_t        shade_frame;
-    logic [rc_pkg::FrameW-1:0]   frame_flat;
     logic signed [LevelBits-1:0] spread_q;
 
-    assign frame_flat  = frame_i;
-    assign shade_frame = rc_pkg::ShadeFrameW'(frame_flat);
 
     always_ff @(posedge clk_i) spread_q <= shade_frame.spread;   // stable while rays are in flight
 
     assign s0_spread = spread_q;
-
-    logic unused;
-    assign unused = ^{shade_frame, frame_flat};
   end else begin : gen_no_spread
     assign s0_spread = '0;
   end
@@ -308,6 +307,7 @@ module rc_texel_address #(
   assign place_o = s7_place_q;
 
   logic unused;
-  assign unused = ^{beyond, s0_record, s1_angle, s2_rounded, frame_i};
+  assign unused = ^{beyond, s0_record, s1_angle, s2_rounded, frame_i,
+                    shade_frame, frame_flat};
 endmodule
 `default_nettype wire
