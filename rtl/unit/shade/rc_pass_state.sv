@@ -74,10 +74,13 @@ module rc_pass_state #(
     localparam int unsigned CosineW = rc_pkg::Homes == 1 ? rc_pkg::ValueBits : 1;
     logic [rc_pkg::AddrBits-1:0] record;
     logic [CosineW-1:0]          cosine;
+    logic [rc_pkg::ValueBits-1:0] known_cosine;
+
+    assign known_cosine = known_i.cosine;
 
     rc_stage_delay #(.Width(rc_pkg::AddrBits + CosineW), .Stages(Stages),
                      .Parts(rc_pkg::ShadeParts)) u_texture (
-      .clk_i, .rst_ni, .enter_i, .leave_i, .data_i({known_i.record, CosineW'(known_i.cosine)}),
+      .clk_i, .rst_ni, .enter_i, .leave_i, .data_i({known_i.record, known_cosine[CosineW-1:0]}),
       .data_o({record, cosine}));
 
     always_comb begin
@@ -85,6 +88,9 @@ module rc_pass_state #(
       begin_state_o.record = record;
       begin_state_o.cosine = rc_pkg::ValueBits'(cosine);
     end
+
+    logic unused;
+    assign unused = ^known_cosine;
   end else begin : gen_no_texture
     assign begin_state_o = kept;
   end
