@@ -1,8 +1,8 @@
-// Cache of texture records and texels: an rc_cache of whole memory words, with the ray as the id. It
-// exists only in a chip with textures.
+// Cache of texture records and texels: an rc_cache of whole memory words, with the ray as the id.
+// It exists only in a chip with textures.
 //
-// Latency 3 for a hit, one request per cycle. rc_cache.sv has the other latencies and the rules for
-// the user. Model: model/mem/cache.hpp with tex_cache_shape().
+// Latency 3 for a hit, one request per cycle. rc_cache.sv has the other latencies and the rules
+// for the user. Model: model/mem/cache.hpp with tex_cache_shape().
 `default_nettype none
 module rc_tex_cache (
   input  logic               clk_i,

@@ -52,6 +52,12 @@ void add_textured(Scene& scene, Texture texture, Draw& draw) {
     scene.coordinates.push_back(corners);
 }
 
+/// Writes the textures of a scene into an image that has none yet.
+std::vector<std::uint32_t> written(const Scene& scene, const Config& config, MemoryImage& image) {
+    TextureLines known;
+    return write_textures(scene, image.lattice, config, "test", known, image);
+}
+
 /// An image that already holds some lines, so that none of a texture's is line 0.
 MemoryImage some_image() {
     MemoryImage image;
@@ -85,7 +91,7 @@ void check_texel(const MemoryImage& image, const Texture& texture, TexRecord rec
         return std::int32_t((2 * std::int64_t(i) + 1) * (1 << (coordinate_frac - 1)) / side);
     };
     record.s.fill(middle(x, picture.width)), record.t.fill(middle(y, picture.height));
-    record.density = 16 * level;
+    record.density = level * (1 << level_frac);
     TexReq hit;
     hit.path = 1, hit.cosine = 1 << unit_bits;
     const TexelPlace place = texel_place(hit, record, 0, config);
@@ -145,7 +151,7 @@ TEST_CASE("every texel of every level is where its hit looks for it", "[textures
                              draw);
             }
     MemoryImage image = some_image();
-    const std::vector<std::uint32_t> records = write_textures(scene, config, "test", image);
+    const std::vector<std::uint32_t> records = written(scene, config, image);
     REQUIRE(records.size() == scene.triangles.size());
     for (std::size_t i = 0; i < records.size(); ++i) {
         const Texture& texture = scene.textures[i];
@@ -169,7 +175,7 @@ TEST_CASE("a texture of 4096 x 4096 texels is where its hits look for it", "[tex
     Scene scene;
     add_textured(scene, {"", random_pyramid(draw, 4096, 4096), Wrap::repeat, Wrap::clamp, false, true}, draw);
     MemoryImage image = some_image();
-    const std::vector<std::uint32_t> records = write_textures(scene, config, "test", image);
+    const std::vector<std::uint32_t> records = written(scene, config, image);
     const TexRecord record = unpack<TexRecord>(image.line(records[0]), config);
     for (int level = 0; level <= 12; ++level)
         for (int i = 0; i < 2000; ++i) {
@@ -225,7 +231,7 @@ TEST_CASE("textures with the same picture and wrap modes share texels, others do
     scene.triangles.push_back({{3, 4, 5}, 0});
     scene.coordinates.resize(7);
     MemoryImage image = some_image();
-    const std::vector<std::uint32_t> records = write_textures(scene, config, "test", image);
+    const std::vector<std::uint32_t> records = written(scene, config, image);
     REQUIRE(records.size() == 7);
     CHECK(records[5] == 0);
     std::vector<TexRecord> read;
@@ -287,13 +293,13 @@ TEST_CASE("a record holds the nearest numbers to a triangle's coordinates and de
         REQUIRE(WrapMode(record.wrap_t) == mode(texture.wrap_t));
         const auto [area, texels] = areas(scene, i, lattice.pitch);
         const long double exact =
-            area > 0 && texels > 0 ? 16 * (std::log2(texels / area) / 2 - config.t_frac_bits) : -most;
+            area > 0 && texels > 0 ? 64 * (std::log2(texels / area) / 2 - config.t_frac_bits) : -most;
         REQUIRE(std::fabs(record.density - std::clamp<long double>(exact, -most, most)) <= 0.5L + 1e-6L);
         inside += area > 0 && texels > 0;
     }
     CHECK(inside >= 250);
-    CHECK(record_of(scene, lattice, config, 0, 0).density == -2047);
-    CHECK(record_of(scene, lattice, config, 1, 0).density == -2047);
+    CHECK(record_of(scene, lattice, config, 0, 0).density == -8191);
+    CHECK(record_of(scene, lattice, config, 1, 0).density == -8191);
 }
 
 TEST_CASE("the register for the spread of samples holds the nearest number", "[textures]") {
@@ -305,7 +311,8 @@ TEST_CASE("the register for the spread of samples holds the nearest number", "[t
                 const double width =
                     2 * std::tan(degrees * 3.14159265358979323846 / 360) / double(height) / double(side);
                 INFO(degrees << " " << height << " " << side);
-                CHECK(std::abs(spread_of(camera, height, side) - 16 * std::log2(width)) <= 0.5 + 1e-9);
+                CHECK(std::abs(spread_of(camera, height, side) - 64 * (std::log2(width) - 0.057)) <=
+                      0.5 + 1e-9);
             }
 }
 
@@ -337,11 +344,11 @@ TEST_CASE("textures beyond the address range are refused", "[textures]") {
     Scene scene;
     add_textured(scene, {"", random_pyramid(draw, 128, 64), Wrap::repeat, Wrap::repeat, false, true}, draw);
     MemoryImage image = some_image();
-    CHECK_THROWS_AS(write_textures(scene, config, "test", image), UserError);
+    CHECK_THROWS_AS(written(scene, config, image), UserError);
     Scene none;
     none.triangles.emplace_back();
     MemoryImage empty = some_image();
-    CHECK(write_textures(none, config, "test", empty).empty());
+    CHECK(written(none, config, empty).empty());
     CHECK(empty.lines() == 5);
 }
 

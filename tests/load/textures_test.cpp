@@ -407,7 +407,7 @@ TEST_CASE("json: the room as a mesh keeps its textures, in their own numbering")
     document["meshes"]["room"] = {{"builtin", "room"}};
     document["objects"].push_back({{"mesh", "room"}});
     const Read made = json(document);
-    CHECK(made.scene.textures.size() == 6);
+    CHECK(made.scene.textures.size() == 7);
     CHECK(made.texture(0).name == "p.png");
     CHECK(made.texture(1).name == "tiles");
     const Scene room = load_scene("room", {}, Primitives::triangles, nullptr, Textures::averaged);

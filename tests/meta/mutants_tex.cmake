@@ -250,6 +250,9 @@ mutant(tex_level_rounding_dropped QUICK FILE ${tex_address} TEST unit ${tex_rtl_
 mutant(tex_level_not_clamped FILE ${tex_address} TEST unit ${tex_rtl_case}
   OLD [[> $signed(LevelSumW'(s2_last_q)) ?]]
   NEW [[> 15 ?]])
+mutant(tex_level_one_too_large FILE ${tex_address} TEST unit ${tex_rtl_case}
+  OLD [[: s2_rounded[LevelFrac +: SideBits];]]
+  NEW [[: s2_rounded[LevelFrac +: SideBits] + SideBits'(1);]])
 mutant(tex_slant_halved_again FILE ${tex_address} TEST unit ${tex_rtl_case}
   OLD [[+ s1_slant;]]
   NEW [[+ (s1_slant >>> 1);]])

@@ -20,7 +20,7 @@ public:
     std::uint32_t texel_ray() const { return texels_.front(); }
     /// Returns the colour that leaves in this cycle.
     LinkRay answer(std::uint64_t now) const { return filter_.answer(now); }
-    /// True while a hit is in one of the two pipelines or waits for its texels.
+    /// True if no hit waits for its texels or is about to.
     bool is_idle(std::uint64_t now) const { return texels_.empty() & !address_.answer(now).valid; }
     std::uint64_t due(std::uint64_t now) const { return std::min(address_.due(now), filter_.due(now)); }
 

@@ -134,7 +134,8 @@ module rc_pass #(
   rc_pass_begin u_begin (
     .valid_i(ends[0]), .state_i(state), .hit_i(hit), .surface_i(surface),
     .surf_o(s0_surf), .light_o(s0_light), .bounce_o(s0_bounce), .refract_o(s0_refract),
-    .transform_o(s0_transform), .texture_o(s0_texture), .end_o(s0_end), .colour_o(colour), .has_material_o(has_material),
+    .transform_o(s0_transform), .texture_o(s0_texture), .end_o(s0_end), .colour_o(colour),
+    .has_material_o(has_material),
     .material_o, .known_o(known));
 
   // immediately: inputs of several cycles stay stable
@@ -239,6 +240,11 @@ module rc_pass #(
 
   assign albedo = state.albedo;
 
+  // Operands of products must stay for all cycles of a stage; s0_texture is valid in the last one.
+  logic s0_is_texture;
+
+  assign s0_is_texture = rc_pkg::HasTextures == 1 && state.next_event == rc_pkg::EventTexture;
+
   if (rc_pkg::HasTextures == 1) begin : gen_share
     assign share = state.ambient;
   end else begin : gen_no_share
@@ -249,7 +255,7 @@ module rc_pass #(
     .clk_i, .valid_i(surf_at[6:0]), .phase_i(phase[7*Every-1:0]), .s0_u_i(u), .s0_v_i(v),
     .s0_t_i(t), .s0_back_i(back),
     .s0_surface_i(surface), .s0_o_i(o), .s0_d_i(d), .s0_weight_i(state.weight),
-    .tone_valid_i(tone_at[6:0]), .s0_texture_i(s0_texture), .s0_albedo_i(albedo),
+    .tone_valid_i(tone_at[6:0]), .s0_texture_i(s0_is_texture), .s0_albedo_i(albedo),
     .s0_share_i(share), .s0_texel_i(texel[3*ColourBits-1:0]),
     .s5_o_o(s5_o), .s5_n_o(s5_n), .s5_toward_o(s5_toward), .s5_far_o(s5_far),
     .s5_lost_o(s5_lost),
@@ -399,7 +405,8 @@ module rc_pass #(
     .data_o({end_above, end_below}));
 
   rc_stage_delay #(.Width(3 * RayDirBits + 1), .Stages(Out - 15), .Parts(rc_pkg::ShadeParts)) u_d (
-    .clk_i, .rst_ni, .enter_i(sends_at[15]), .leave_i(sends_at[Out]), .data_i({s15_d, s15_cosine != '0}),
+    .clk_i, .rst_ni, .enter_i(sends_at[15]), .leave_i(sends_at[Out]),
+    .data_i({s15_d, s15_cosine != '0}),
     .data_o({end_d, end_positive}));
 
   // ---- With two levels: from a mesh's space, and into it.
@@ -441,7 +448,8 @@ module rc_pass #(
     rc_stage_delay #(.Width(3 * (OriginWidth + RayDirBits)), .Stages(Out - 19),
                      .Parts(rc_pkg::ShadeParts))
     u_home (
-      .clk_i, .rst_ni, .enter_i(sends_at[19]), .leave_i(sends_at[Out]), .data_i({s19_home_o, s19_home_d}),
+      .clk_i, .rst_ni, .enter_i(sends_at[19]), .leave_i(sends_at[Out]),
+      .data_i({s19_home_o, s19_home_d}),
       .data_o({end_home_o, end_home_d}));
 
     rc_stage_delay #(.Width(rc_pkg::AddrBits), .Stages(Out), .Parts(rc_pkg::ShadeParts)) u_here (
@@ -449,7 +457,8 @@ module rc_pass #(
       .leave_i(sends_at[Out] || transform_at[Out]), .data_i(here),
       .data_o(end_home));
     if (rc_pkg::HasTextures == 1) begin : gen_scale
-      rc_stage_delay #(.Width(rc_pkg::LevelBits), .Stages(Out), .Parts(rc_pkg::ShadeParts)) u_scale (
+      rc_stage_delay #(.Width(rc_pkg::LevelBits), .Stages(Out), .Parts(rc_pkg::ShadeParts))
+      u_scale (
         .clk_i, .rst_ni, .enter_i(s0_transform), .leave_i(transform_at[Out]),
         .data_i(place.texel_scale), .data_o(end_scale));
     end else begin : gen_no_scale
@@ -550,7 +559,8 @@ module rc_pass #(
 
   // ---- s28: end of the pass.
   rc_pass_end u_end (
-    .clk_i, .take_i(ends[Stages-1]), .frame_i, .path_i(surf_path), .u_i(face_u), .v_i(face_v), .hole_i(end_hole),
+    .clk_i, .take_i(ends[Stages-1]), .frame_i, .path_i(surf_path), .u_i(face_u), .v_i(face_v),
+    .hole_i(end_hole),
     .scale_i(end_scale),
     .ray_i(end_ray), .begin_state_i(begin_state),
     .mirrors_i(mirrors),
@@ -571,6 +581,7 @@ module rc_pass #(
     .push_o, .pushed_o);
 
   logic unused;
-  assign unused = ^{hit, phase, ends, surf_at, light_at, bounce_at, end_at, face_at, tone_at, sends_at};
+  assign unused = ^{hit, phase, ends, surf_at, light_at, bounce_at, end_at, face_at, tone_at,
+                    sends_at};
 endmodule
 `default_nettype wire

@@ -8,10 +8,10 @@
 // A hit on a surface with a texture goes to tex, and makes its next pass when the colour has come.
 //
 // A pass enters every ShadeInterval cycles. Passes whose surface is there go first, then contexts
-// that need another pass, then those whose texture has come, then answers of other rays. Latency rc_pkg::ShadeLatency + 1 from a pass
-// to its output, more if the context passes again. closest_i is always accepted; slot_i and ray_i
-// are observed. The user holds frame_i while rays are in flight. Model: model/unit/shade/unit.hpp
-// (timing), model/unit/shade/pass.hpp (values).
+// that need another pass, then those whose texture has come, then answers of other rays. Latency
+// rc_pkg::ShadeLatency + 1 from a pass to its output, more if the context passes again. closest_i
+// is always accepted; slot_i and ray_i are observed. The user holds frame_i while rays are in
+// flight. Model: model/unit/shade/unit.hpp (timing), model/unit/shade/pass.hpp (values).
 `default_nettype none
 module rc_shade (
   input  logic              clk_i,
@@ -484,6 +484,7 @@ module rc_shade (
 `endif
 
   logic unused;
-  assign unused = ^{frame_flat, closest_prim, out_ready, closest_i, spawn, pixel, surf_rsp, tex_req};
+  assign unused = ^{frame_flat, closest_prim, out_ready, closest_i, spawn, pixel, surf_rsp,
+                    tex_req};
 endmodule
 `default_nettype wire

@@ -1,5 +1,5 @@
-// Logarithm to base 2 with LevelFrac fraction bits. A table has the fraction for the five bits below
-// the highest one. The logarithm of 0 counts as 0. Combinational. Model: log_of() in
+// Logarithm to base 2 with LevelFrac fraction bits. A table has the fraction for the five bits
+// below the highest one. The logarithm of 0 counts as 0. Combinational. Model: log_of() in
 // model/unit/tex/texel.hpp.
 `default_nettype none
 module rc_log #(
@@ -25,7 +25,7 @@ module rc_log #(
   always_comb begin
     whole = '0;
     index = '0;
-    for (int i = 0; i < int'(Width); i++)
+    for (int i = 0; i < Width; i++)
       if (x_i[i]) begin
         whole = 5'(i);
         index = padded[i +: IndexBits];

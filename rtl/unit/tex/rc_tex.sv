@@ -1,12 +1,12 @@
 // Textures: reads the texture record of a hit and then the line of its texels, and filters them.
 //
-// A hit from shade requests its record at once. rc_texel_address takes the record to the address of
-// the texels, rc_texel_filter takes the texels to a colour. Requests for texels have priority over
-// those for records. Lines are always accepted, and shade accepts every colour.
+// A hit from shade requests its record at once. rc_texel_address takes the record to the address
+// of the texels, rc_texel_filter takes the texels to a colour. Requests for texels have priority
+// over those for records. Lines are always accepted, and shade accepts every colour.
 //
-// Latency from a record to its request for texels TexAddressStages + 1, from texels to their colour
-// TexFilterStages. Both take one hit per cycle. The unit exists only in a chip with textures. Model:
-// model/unit/tex/unit.hpp (timing), model/unit/tex/texel.hpp (values).
+// Latency from a record to its request for texels TexAddressStages + 1, from texels to their
+// colour TexFilterStages. Both take one hit per cycle. The unit exists only in a chip with
+// textures. Model: model/unit/tex/unit.hpp (timing), model/unit/tex/texel.hpp (values).
 `default_nettype none
 module rc_tex (
   input  logic                  clk_i,

@@ -57,14 +57,14 @@ module rc_texel_filter #(
 
     always_comb begin
       row = line_i[i*RowW +: RowW];
-      for (int k = 1; k + 1 < int'(Rows); k++)
+      for (int k = 1; k + 1 < Rows; k++)
         if (place_i.y == 2'(k)) row = line_i[(k+i)*RowW +: RowW];
     end
 
     for (genvar j = 0; j < 2; j++) begin : gen_texel
       always_comb begin
         s0_texels[(2*i+j)*TexelW +: TexelW] = row[j*TexelW +: TexelW];
-        for (int k = 1; k + 1 < int'(RowTexels); k++)
+        for (int k = 1; k + 1 < RowTexels; k++)
           if (place_i.x == 2'(k)) s0_texels[(2*i+j)*TexelW +: TexelW] = row[(k+j)*TexelW +: TexelW];
       end
     end
