@@ -37,6 +37,9 @@ mutant(tex_model_slant_below_0 QUICK FILE ${tex_model} TEST unit [tex][level]
 mutant(tex_model_scale_ignored FILE ${tex_model} TEST unit [tex][level]
   OLD [[record.density + hit.scale + spread]]
   NEW [[record.density + spread]])
+mutant(tex_model_request_without_scale FILE model/unit/shade/pass.cpp TEST system [textures][map]
+  OLD [[in.hit.v, in.placement.texel_scale};]]
+  NEW [[in.hit.v, 0};]])
 mutant(tex_model_log_at_the_start_of_its_part FILE ${tex_model} TEST unit [tex][log]~[rtl]
   OLD [=[log_table()[step * i + step / 2]]=]
   NEW [=[log_table()[step * i]]=])
@@ -199,9 +202,6 @@ mutant(simulate_tex_hole_from_the_old_origin FILE model/unit/shade/pass.cpp TEST
 mutant(simulate_tex_hole_has_ambient_light FILE model/unit/shade/pass.cpp TEST simulate "room --depth 1"
   OLD [[++s.holes;]]
   NEW [[add(s.colour, ambient), ++s.holes;]])
-mutant(simulate_tex_scale_ignored FILE model/unit/shade/pass.cpp TEST system [textures][map]
-  OLD [[in.hit.v, in.placement.texel_scale};]]
-  NEW [[in.hit.v, 0};]])
 mutant(simulate_tex_log_at_the_start_of_its_part FILE ${tex_model} TEST simulate "room --depth 1"
   OLD [=[log_table()[step * i + step / 2]]=]
   NEW [=[log_table()[step * i]]=])
@@ -217,7 +217,7 @@ mutant(tex_log_of_0_is_a_fraction FILE rtl/unit/tex/rc_log.sv TEST unit [tex][lo
   NEW [[x_i == '0 && 1'b0 ? '0 :]])
 mutant(tex_scale_ignored FILE ${tex_address} TEST unit ${tex_rtl_case}
   OLD [[(LevelBits+1)'(s0_density) + (LevelBits+1)'(s0_scale);]]
-  NEW [[(LevelBits+1)'(s0_density);]])
+  NEW [[(LevelBits+1)'(s0_density) + ((LevelBits+1)'(s0_scale) & '0);]])
 mutant(tex_scale_wraps FILE ${tex_address} TEST unit ${tex_rtl_case}
   OLD [[(LevelBits+1)'(s0_density) + (LevelBits+1)'(s0_scale);]]
   NEW [[(LevelBits+1)'(LevelBits'(s0_density + s0_scale));]])

@@ -247,6 +247,9 @@ inline PassIn random_pass(Draw& draw, const Frame& frame, const Config& c) {
     in.hit.ray = in.ray;
     in.o = draw_place(draw, c);
     in.d = draw.vector(c.dir_bits);
+    // With two levels raygen adds one to a component of -2^(M-1) (docs/machine/motion.md).
+    if (c.has_homes())
+        for (auto& x : in.d) x = std::max(x, 1 - (1 << (c.dir_bits - 1)));
     if (c.refraction) {
         in.top.o = draw_place(draw, c), in.top.d = draw.vector(c.dir_bits);
         in.top.weight = share_up_to(draw, unit_bits), in.top.depth = std::uint32_t(draw.below(16));
