@@ -91,7 +91,7 @@ module rc_texel_filter #(
   assign s3_above = One - {1'b0, s3_weight_y_q};
 
   for (genvar k = 0; k < 3; k++) begin : gen_channel
-    logic [4*ColourBits-1:0] s2_value_q;
+    logic [4*ColourBits-1:0] s2_value;
     logic [2*AlongW-1:0]     s3_along_q;
     logic [SumW-1:0]         s3_sum;
     logic [ColourBits-1:0]   s4_colour_q;
@@ -99,7 +99,11 @@ module rc_texel_filter #(
     for (genvar i = 0; i < 4; i++) begin : gen_code
       logic [TexelW-1:0]     texel;
       logic [7:0]            code;
-      logic [ColourBits-1:0] value;
+      // Each texel's code reads its own copy of the table, in block RAM.
+      logic [ColourBits-1:0] table_mem [256];
+      logic [ColourBits-1:0] value_q;
+      initial for (int c = 0; c < 256; c++)
+        table_mem[c] = rc_pkg::SrgbTable[c*ColourBits +: ColourBits];
 
       assign texel = s1_texels_q[i*TexelW +: TexelW];
       if (Wide) begin : gen_wide
@@ -111,10 +115,8 @@ module rc_texel_filter #(
         assign code = {texel[At +: 5], texel[At+2 +: 3]};
       end
 
-      assign value = rc_pkg::SrgbTable[code*ColourBits +: ColourBits];
-
-      always_ff @(posedge clk_i)
-        if (valid_q[1]) s2_value_q[i*ColourBits +: ColourBits] <= value;
+      always_ff @(posedge clk_i) if (valid_q[1]) value_q <= table_mem[code];
+      assign s2_value[i*ColourBits +: ColourBits] = value_q;
 
       logic unused;
       assign unused = ^texel;
@@ -124,8 +126,8 @@ module rc_texel_filter #(
       always_ff @(posedge clk_i)
         if (valid_q[2])
           s3_along_q[i*AlongW +: AlongW] <=
-              AlongW'(s2_value_q[2*i*ColourBits +: ColourBits]) * AlongW'(s2_left)
-              + AlongW'(s2_value_q[(2*i+1)*ColourBits +: ColourBits]) * AlongW'(s2_weight_x);
+              AlongW'(s2_value[2*i*ColourBits +: ColourBits]) * AlongW'(s2_left)
+              + AlongW'(s2_value[(2*i+1)*ColourBits +: ColourBits]) * AlongW'(s2_weight_x);
     end
 
     assign s3_sum = SumW'(s3_along_q[0 +: AlongW]) * SumW'(s3_above)
