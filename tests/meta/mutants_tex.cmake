@@ -385,18 +385,19 @@ mutant(tex_hole_from_the_origin_of_entry FILE ${pass_end} TEST unit ${shade_rtl_
 mutant(tex_hole_in_the_direction_of_a_bounce FILE rtl/unit/shade/rc_pass.sv TEST unit ${shade_rtl_case}
   OLD [[: texture_q[15] ? RayDirBits'(]]
   NEW [[: texture_q[15] && 1'b0 ? RayDirBits'(]])
-mutant(tex_hole_of_the_hit_before FILE rtl/unit/shade/rc_pass.sv TEST unit ${shade_rtl_case}
+mutant(tex_hole_of_another_hit FILE rtl/unit/shade/rc_pass.sv TEST unit
+  "the rtl's pass is the model's with textures and instances*"
   OLD [[.enter_i(s0_texture), .leave_i(texture_at[Out]),
       .data_i(texel[3*ColourBits])]]
-  NEW [[.enter_i(s0_texture), .leave_i(texture_at[Out]),
-      .data_i(texel[0])]])
+  NEW [[.enter_i(s0_texture), .leave_i(tone_at[Out]),
+      .data_i(texel[3*ColourBits])]])
 mutant(tex_pixel_keeps_the_hit_behind_a_hole FILE rtl/unit/shade/rc_pass_begin.sv TEST unit [shade][hole]
   OLD [[assign first = state_i.holes == '0;]]
   NEW [[assign first = 1'b1;]])
 mutant(tex_request_without_scale FILE ${pass_end} TEST unit
   "the rtl's pass is the model's with textures and instances*"
   OLD [[assign request.scale = scale_i;]]
-  NEW [[assign request.scale = '0;]])
+  NEW [[assign request.scale = scale_i >> 1;]])
 mutant(tex_scale_of_the_instance_lost FILE rtl/unit/shade/rc_shade.sv TEST system
   "model and RTL agree on textured instances with holes"
   OLD [[assign place_data.texel_scale = instance_came.texel_scale;]]
