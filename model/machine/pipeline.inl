@@ -240,8 +240,8 @@ template <Pipeline::RayFeed feed, bool levels>
         clock_shade<feed, levels>(m, now);
         asleep_ = asleep_ & (surf_or_stream_outcome_ > CacheOutcome::drain) & !surf_or_stream_cache_.loaded();
         if constexpr (feed == RayFeed::textured) {
-            asleep_ = asleep_ & tex_.is_idle(now) & !m.any(Link::tex_req, Link::texel_req, Link::texel_rsp,
-                                                          Link::tex_rsp);
+            asleep_ = asleep_ & tex_.is_idle(now) &
+                      !m.any(Link::tex_req, Link::texel_req, Link::texel_rsp, Link::tex_rsp);
             clock_tex(m, now, shared);
             asleep_ = asleep_ & (tex_outcome_ > CacheOutcome::drain) & !tex_cache_.loaded();
         }

@@ -62,6 +62,7 @@ public:
         if (!loading_.draws_textures()) average_all();
         settle(own, {}, true, "");
         settle_meshes();
+        copy_painted_meshes();
         for (auto& sphere : own.spheres) settle_round(sphere, "sphere");
         for (auto& plane : own.planes) settle_round(plane, "plane");
         if (shows_any_)
@@ -150,6 +151,34 @@ private:
         if (const std::string fault = coordinate_fault(coarsest, corners); !fault.empty())
             throw UserError(fmt::format("{}: {} (counted from 0) {}", where_, name, fault));
         corners = near_zero(coarsest, corners);
+    }
+
+    /// Gives an instance whose own material has a texture a mesh of its own, because a machine of two levels
+    /// finds textures by meshes. Instances with the same mesh and material share the copy.
+    void copy_painted_meshes() {
+        std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> copies;
+        for (Instance& instance : scene_.instances) {
+            if (!instance.material || !has_texture(*instance.material)) continue;
+            const auto [copy, is_new] =
+                copies.try_emplace({instance.mesh, *instance.material}, std::uint32_t(scene_.meshes.size()));
+            if (is_new) {
+                SharedMesh mesh = scene_.meshes[instance.mesh];
+                for (Triangle& triangle : mesh.triangles) triangle.material = *instance.material;
+                scene_.meshes.push_back(std::move(mesh));
+                follow_deformation(instance.mesh, copy->second);
+            }
+            instance.mesh = copy->second;
+            instance.material.reset();
+        }
+    }
+
+    void follow_deformation(std::uint32_t mesh, std::uint32_t copy) {
+        std::vector<Deforming>& deforming = scene_.motion.deforming;
+        const auto found = std::ranges::find(deforming, mesh, &Deforming::mesh);
+        if (found == deforming.end()) return;
+        Deforming same = *found;
+        same.mesh = copy;
+        deforming.push_back(std::move(same));
     }
 
     template <class Round> void settle_round(Round& primitive, const char* what) {
