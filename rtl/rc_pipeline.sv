@@ -33,6 +33,12 @@ module rc_pipeline (
   output rc_pkg::surf_miss_t surf_miss_o,
   input  logic               surf_fill_fires_i,
   input  rc_pkg::surf_fill_t surf_fill_i,
+  // Texture records and texels, if the chip has textures
+  output logic               tex_miss_valid_o,
+  input  logic               tex_miss_ready_i,
+  output rc_pkg::tex_miss_t  tex_miss_o,
+  input  logic               tex_fill_fires_i,
+  input  rc_pkg::tex_fill_t  tex_fill_i,
   // Records, if the chip's rays come from a stream
   output logic               stream_miss_valid_o,
   input  logic               stream_miss_ready_i,
@@ -86,6 +92,14 @@ module rc_pipeline (
   rc_pkg::surf_req_t surf_req;
   logic              surf_rsp_valid, surf_rsp_ready;
   rc_pkg::surf_rsp_t surf_rsp;
+  logic              tex_req_valid, tex_req_ready;
+  rc_pkg::tex_req_t  tex_req;
+  logic              texel_req_valid, texel_req_ready;
+  rc_pkg::texel_req_t texel_req;
+  logic              texel_rsp_valid, texel_rsp_ready;
+  rc_pkg::texel_rsp_t texel_rsp;
+  logic              tex_rsp_fires;
+  rc_pkg::tex_rsp_t  tex_rsp;
   logic              pixel_valid, pixel_ready;
   rc_pkg::pixel_t    pixel;
   logic              node_waits, prim_waits;
@@ -98,7 +112,7 @@ module rc_pipeline (
   logic [CauseBits-1:0]     sched_cause, raygen_cause, trav_cause, node_cause, decide_cause;
   logic [CauseBits-1:0]     list_cause;
   logic [CauseBits-1:0]     prim_cause, tri_cause, surf_cause, shade_cause, xform_cause, mesh_cause;
-  logic [CauseBits-1:0]     stream_cause;
+  logic [CauseBits-1:0]     stream_cause, tex_cause, texels_cause;
 
   // Each unit has its own reset register.
   logic sched_rst_n, raygen_rst_n, tree_rst_n, list_rst_n, prim_rst_n, tri_rst_n;
@@ -257,6 +271,7 @@ module rc_pipeline (
     assign {spawn_valid, surf_req_valid, surf_req_ready, surf_rsp_valid, surf_rsp_ready} = '0;
     assign {spawn, surf_req, surf_rsp, surf_miss_valid_o, surf_miss_o} = '0;
     assign {surf_cause, shade_cause} = '0;
+    assign {tex_req_valid, tex_req} = '0;
 
     logic unused;
     assign unused = ^{surf_req_valid, surf_req_ready, surf_req, surf_rsp_valid,
@@ -282,9 +297,42 @@ module rc_pipeline (
       .surf_req_valid_o(surf_req_valid), .surf_req_ready_i(surf_req_ready), .surf_req_o(surf_req),
       .surf_rsp_valid_i(surf_rsp_valid), .surf_rsp_ready_o(surf_rsp_ready), .surf_rsp_i(surf_rsp),
       .surf_waits_i(surf_waits),
+      .tex_req_valid_o(tex_req_valid), .tex_req_ready_i(tex_req_ready), .tex_req_o(tex_req),
+      .tex_rsp_fires_i(tex_rsp_fires), .tex_rsp_i(tex_rsp),
       .spawn_valid_o(spawn_valid), .spawn_ready_i(spawn_ready), .spawn_o(spawn),
       .pixel_valid_o(pixel_valid), .pixel_ready_i(pixel_ready), .pixel_o(pixel),
       .cause_o(shade_cause));
+  end
+
+  if (rc_pkg::HasTextures == 1) begin : gen_tex
+    logic texels_wait, tex_rst_n;
+    rc_reset_register u_tex_reset (.clk_i, .rst_ni, .rst_no(tex_rst_n));
+
+    rc_tex u_tex (
+      .clk_i, .rst_ni(tex_rst_n), .frame_i,
+      .req_valid_i(tex_req_valid), .req_ready_o(tex_req_ready), .req_i(tex_req),
+      .texel_req_valid_o(texel_req_valid), .texel_req_ready_i(texel_req_ready),
+      .texel_req_o(texel_req),
+      .texel_rsp_valid_i(texel_rsp_valid), .texel_rsp_ready_o(texel_rsp_ready),
+      .texel_rsp_i(texel_rsp), .texels_wait_i(texels_wait),
+      .rsp_fires_o(tex_rsp_fires), .rsp_o(tex_rsp), .cause_o(tex_cause));
+
+    rc_tex_cache u_tex_cache (
+      .clk_i, .rst_ni(tex_rst_n),
+      .req_valid_i(texel_req_valid), .req_ready_o(texel_req_ready), .req_i(texel_req),
+      .rsp_valid_o(texel_rsp_valid), .rsp_ready_i(texel_rsp_ready), .rsp_o(texel_rsp),
+      .miss_valid_o(tex_miss_valid_o), .miss_ready_i(tex_miss_ready_i), .miss_o(tex_miss_o),
+      .fill_fires_i(tex_fill_fires_i), .fill_i(tex_fill_i),
+      .waits_o(texels_wait), .outcome_o(texels_cause));
+  end else begin : gen_no_tex
+    assign {tex_req_ready, tex_rsp_fires, tex_rsp, tex_cause, texels_cause} = '0;
+    assign {texel_req_valid, texel_req_ready, texel_req} = '0;
+    assign {texel_rsp_valid, texel_rsp_ready, texel_rsp, tex_miss_valid_o, tex_miss_o} = '0;
+
+    logic unused;
+    assign unused = ^{tex_req_valid, tex_req_ready, tex_req, tex_rsp_fires, tex_rsp,
+        texel_req_valid, texel_req_ready, texel_req, texel_rsp_valid, texel_rsp_ready, texel_rsp,
+        tex_miss_ready_i, tex_fill_fires_i, tex_fill_i};
   end
 
   // What each unit did in this cycle; codes in model/machine/units.hpp.
@@ -317,6 +365,8 @@ module rc_pipeline (
     causes_o[rc_pkg::TriUnit*CauseBits +: CauseBits]       = tri_cause;
     causes_o[rc_pkg::SurfCacheUnit*CauseBits +: CauseBits] = surf_cause;
     causes_o[rc_pkg::ShadeUnit*CauseBits +: CauseBits]     = shade_cause;
+    causes_o[rc_pkg::TexUnit*CauseBits +: CauseBits]       = tex_cause;
+    causes_o[rc_pkg::TexCacheUnit*CauseBits +: CauseBits]  = texels_cause;
     causes_o[rc_pkg::StreamUnit*CauseBits +: CauseBits]    = stream_cause;
   end
 endmodule

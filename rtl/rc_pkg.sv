@@ -26,6 +26,8 @@ package rc_pkg;
   localparam int unsigned Panes = 0;
   localparam int unsigned Horizon = 0;
   localparam int unsigned Supersampling = 0;
+  localparam int unsigned Textures = 0;
+  localparam int unsigned Texels = 0;
   localparam int unsigned Lights = 8;
   localparam int unsigned Bounces = 5;
   localparam int unsigned Contexts = 64;
@@ -54,6 +56,9 @@ package rc_pkg;
   localparam int unsigned StreamSets = 4;
   localparam int unsigned StreamWays = 2;
   localparam int unsigned StreamMshrs = 4;
+  localparam int unsigned TexSets = 64;
+  localparam int unsigned TexWays = 4;
+  localparam int unsigned TexMshrs = 8;
   localparam int unsigned L2Sets = 0;
   localparam int unsigned L2Ways = 4;
   localparam int unsigned L2Mshrs = 16;
@@ -61,6 +66,7 @@ package rc_pkg;
   localparam int unsigned PrimWords = 1;
   localparam int unsigned SurfWords = 1;
   localparam int unsigned StreamWords = 4;
+  localparam int unsigned TexWords = 1;
   localparam int unsigned L2Words = 1;
 
   // What follows from these: model/core/config.hpp.
@@ -70,6 +76,7 @@ package rc_pkg;
   localparam int unsigned OriginBits = 0;
   localparam int unsigned Shades = 0;
   localparam int unsigned Streams = 0;
+  localparam int unsigned HasTextures = 0;
   localparam int unsigned Homes = 0;
   localparam int unsigned OriginWidth = 18;
   localparam int unsigned PointWidth = 18;
@@ -98,6 +105,15 @@ package rc_pkg;
   localparam int unsigned RootBits = 28;
   localparam int unsigned MostFine = 4;
   localparam int unsigned SampleBits = 6;
+  localparam int unsigned CoordinateBits = 28;
+  localparam int unsigned CoordinateFrac = 20;
+  localparam int unsigned TexelFrac = 8;
+  localparam int unsigned SideBits = 4;
+  localparam int unsigned LevelBits = 14;
+  localparam int unsigned LevelFrac = 6;
+  localparam int unsigned LengthBits = 7;
+  localparam int unsigned HoleBits = 6;
+  localparam int unsigned LogIndexBits = 5;
   localparam int unsigned SubPixelBits = 8;
   localparam int unsigned DepthBits = 4;
   localparam int unsigned Clients = 2;
@@ -173,6 +189,8 @@ package rc_pkg;
   localparam int unsigned MeshPad = 0;
   localparam int unsigned XformLatency = 13;
   localparam int unsigned TriLatency = 18;
+  localparam int unsigned TexAddressStages = 7;
+  localparam int unsigned TexFilterStages = 4;
   localparam int unsigned ShadeStages = 28;
   localparam int unsigned ShadeCut = 0;
   localparam int unsigned ShadeOut = 28;
@@ -223,7 +241,8 @@ package rc_pkg;
     EventRefract = 3'd2,
     EventReflect = 3'd3,
     EventPop = 3'd4,
-    EventTransform = 3'd5
+    EventTransform = 3'd5,
+    EventTexture = 3'd6
   } shade_event_e;
   typedef enum logic [1:0] {
     PendingNone = 2'd0,
@@ -233,8 +252,20 @@ package rc_pkg;
   typedef enum logic [1:0] {
     LeaveAgain = 2'd0,
     LeaveSpawn = 2'd1,
-    LeavePixel = 2'd2
+    LeavePixel = 2'd2,
+    LeaveTexture = 2'd3
   } leave_e;
+
+  // How a texture continues beyond its edges, and the formats of its texels.
+  typedef enum logic [1:0] {
+    WrapRepeat = 2'd0,
+    WrapMirror = 2'd1,
+    WrapClamp = 2'd2
+  } wrap_e;
+  typedef enum logic [31:0] {
+    TexelsRgb888 = 32'd0,
+    TexelsRgb565 = 32'd1
+  } texel_format_e;
 
   // What a unit did in a cycle; first a cache's outcomes.
   localparam int unsigned CauseBits = 3;
@@ -282,6 +313,11 @@ package rc_pkg;
     ShadeStarvedList = 3'd2,
     ShadeStalledQueue = 3'd3
   } shade_cause_e;
+  typedef enum logic [2:0] {
+    TexBusyWork = 3'd0,
+    TexStarvedMemory = 3'd1,
+    TexStarvedShade = 3'd2
+  } tex_cause_e;
   typedef enum logic [2:0] {
     XformBusyWork = 3'd0,
     XformStarvedMemory = 3'd1,
@@ -389,6 +425,48 @@ package rc_pkg;
     28'h7603a8c, 28'h76a7a90, 28'h774ca94, 28'h77f2697, 28'h789929b, 28'h7940e9f, 28'h79e96a2, 28'h7a92ea6,
     28'h7b3d6aa, 28'h7be8aad, 28'h7c94eb1, 28'h7d41eb4, 28'h7df02b9, 28'h7e9f2bc, 28'h7f4f2c0, 28'h80002c4};
 
+  // Intensities of sRGB codes: model/unit/tex/texel.hpp.
+  localparam logic [3327:0] SrgbTable = {
+    13'd4096, 13'd4060, 13'd4023, 13'd3987, 13'd3951, 13'd3916, 13'd3880, 13'd3845,
+    13'd3810, 13'd3775, 13'd3740, 13'd3705, 13'd3671, 13'd3637, 13'd3603, 13'd3569,
+    13'd3535, 13'd3502, 13'd3469, 13'd3436, 13'd3403, 13'd3370, 13'd3338, 13'd3305,
+    13'd3273, 13'd3241, 13'd3209, 13'd3178, 13'd3146, 13'd3115, 13'd3084, 13'd3053,
+    13'd3022, 13'd2992, 13'd2962, 13'd2931, 13'd2902, 13'd2872, 13'd2842, 13'd2813,
+    13'd2783, 13'd2754, 13'd2725, 13'd2697, 13'd2668, 13'd2640, 13'd2612, 13'd2584,
+    13'd2556, 13'd2528, 13'd2501, 13'd2473, 13'd2446, 13'd2419, 13'd2392, 13'd2366,
+    13'd2339, 13'd2313, 13'd2287, 13'd2261, 13'd2235, 13'd2210, 13'd2184, 13'd2159,
+    13'd2134, 13'd2109, 13'd2084, 13'd2060, 13'd2035, 13'd2011, 13'd1987, 13'd1963,
+    13'd1940, 13'd1916, 13'd1893, 13'd1869, 13'd1846, 13'd1824, 13'd1801, 13'd1778,
+    13'd1756, 13'd1734, 13'd1712, 13'd1690, 13'd1668, 13'd1647, 13'd1625, 13'd1604,
+    13'd1583, 13'd1562, 13'd1541, 13'd1521, 13'd1500, 13'd1480, 13'd1460, 13'd1440,
+    13'd1420, 13'd1400, 13'd1381, 13'd1362, 13'd1343, 13'd1324, 13'd1305, 13'd1286,
+    13'd1268, 13'd1249, 13'd1231, 13'd1213, 13'd1195, 13'd1177, 13'd1160, 13'd1142,
+    13'd1125, 13'd1108, 13'd1091, 13'd1074, 13'd1058, 13'd1041, 13'd1025, 13'd1008,
+    13'd992, 13'd976, 13'd961, 13'd945, 13'd930, 13'd914, 13'd899, 13'd884,
+    13'd869, 13'd855, 13'd840, 13'd826, 13'd811, 13'd797, 13'd783, 13'd769,
+    13'd756, 13'd742, 13'd729, 13'd715, 13'd702, 13'd689, 13'd676, 13'd664,
+    13'd651, 13'd639, 13'd626, 13'd614, 13'd602, 13'd590, 13'd579, 13'd567,
+    13'd556, 13'd544, 13'd533, 13'd522, 13'd511, 13'd500, 13'd490, 13'd479,
+    13'd469, 13'd458, 13'd448, 13'd438, 13'd429, 13'd419, 13'd409, 13'd400,
+    13'd390, 13'd381, 13'd372, 13'd363, 13'd354, 13'd346, 13'd337, 13'd329,
+    13'd320, 13'd312, 13'd304, 13'd296, 13'd288, 13'd280, 13'd273, 13'd265,
+    13'd258, 13'd251, 13'd244, 13'd237, 13'd230, 13'd223, 13'd217, 13'd210,
+    13'd204, 13'd197, 13'd191, 13'd185, 13'd179, 13'd173, 13'd168, 13'd162,
+    13'd156, 13'd151, 13'd146, 13'd141, 13'd136, 13'd131, 13'd126, 13'd121,
+    13'd116, 13'd112, 13'd107, 13'd103, 13'd99, 13'd95, 13'd91, 13'd87,
+    13'd83, 13'd79, 13'd76, 13'd72, 13'd69, 13'd66, 13'd62, 13'd59,
+    13'd56, 13'd53, 13'd50, 13'd48, 13'd45, 13'd42, 13'd40, 13'd37,
+    13'd35, 13'd33, 13'd31, 13'd29, 13'd27, 13'd25, 13'd23, 13'd21,
+    13'd20, 13'd18, 13'd16, 13'd15, 13'd14, 13'd12, 13'd11, 13'd10,
+    13'd9, 13'd7, 13'd6, 13'd5, 13'd4, 13'd2, 13'd1, 13'd0};
+
+  // Fractions of logarithms: log_fractions() in the same file.
+  localparam logic [191:0] LogFraction = {
+    6'd63, 6'd62, 6'd60, 6'd59, 6'd57, 6'd56, 6'd54, 6'd52,
+    6'd51, 6'd49, 6'd47, 6'd46, 6'd44, 6'd42, 6'd40, 6'd38,
+    6'd36, 6'd35, 6'd32, 6'd30, 6'd28, 6'd26, 6'd24, 6'd22,
+    6'd19, 6'd17, 6'd15, 6'd12, 6'd10, 6'd7, 6'd4, 6'd1};
+
   // Tables of the unit globe: model/engine/spheres/tables.hpp.
   localparam logic [3455:0] NearInverse = {
     27'h403f901, 27'h4080503, 27'h40c1905, 27'h4103507, 27'h4145909, 27'h418890c, 27'h41cbd0d, 27'h420fd10,
@@ -435,7 +513,7 @@ package rc_pkg;
 
   // The host's registers: sim/run/gen/registers.hpp, docs/machine/chip.md.
   localparam int unsigned Magic = 1380142155;
-  localparam int unsigned Version = 1;
+  localparam int unsigned Version = 2;
   localparam int unsigned RegMagic = 0;
   localparam int unsigned RegVersion = 1;
   localparam int unsigned RegStatus = 2;
@@ -445,9 +523,9 @@ package rc_pkg;
   localparam int unsigned RegCycles = 6;
   localparam int unsigned RegParameters = 32;
   localparam int unsigned RegFrame = 1024;
-  localparam int unsigned RegCounters = 4096;
-  localparam int unsigned RegAddrBits = 13;
-  localparam int unsigned CounterBits = 11;
+  localparam int unsigned RegCounters = 8192;
+  localparam int unsigned RegAddrBits = 14;
+  localparam int unsigned CounterBits = 12;
   localparam int unsigned Parameters = 27;
   localparam logic [863:0] ParameterValues = {
     32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0,
@@ -464,7 +542,7 @@ package rc_pkg;
     16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32,
     16'd2, 16'd32, 16'd18, 16'd18, 16'd18, 16'd24, 16'd15, 16'd15};
   localparam int unsigned TallyBits = 40;
-  localparam int unsigned PipelineUnits = 16;
+  localparam int unsigned PipelineUnits = 18;
   localparam int unsigned SchedUnit = 0;
   localparam int unsigned RaygenUnit = 1;
   localparam int unsigned TravUnit = 2;
@@ -474,14 +552,17 @@ package rc_pkg;
   localparam int unsigned TriUnit = 11;
   localparam int unsigned SurfCacheUnit = 12;
   localparam int unsigned ShadeUnit = 13;
-  localparam int unsigned XformUnit = 14;
-  localparam int unsigned StreamUnit = 15;
+  localparam int unsigned TexUnit = 14;
+  localparam int unsigned TexCacheUnit = 15;
+  localparam int unsigned XformUnit = 16;
+  localparam int unsigned StreamUnit = 17;
   localparam int unsigned DecideUnit = 4;
   localparam int unsigned MeshUnit = 4;
   localparam int unsigned SharedUnits = 3;
-  localparam logic [15:0] PipelineUnitsThere = {
-    1'd0, 1'd0, 1'd0, 1'd0, 1'd1, 1'd1, 1'd1, 1'd0,
-    1'd0, 1'd0, 1'd0, 1'd1, 1'd1, 1'd1, 1'd1, 1'd1};
+  localparam logic [17:0] PipelineUnitsThere = {
+    1'd0, 1'd0, 1'd0, 1'd0, 1'd0, 1'd0, 1'd1, 1'd1,
+    1'd1, 1'd0, 1'd0, 1'd0, 1'd0, 1'd1, 1'd1, 1'd1,
+    1'd1, 1'd1};
   localparam logic [2:0] SharedUnitsThere = {
     1'd0, 1'd1, 1'd1};
 
@@ -820,6 +901,47 @@ package rc_pkg;
   localparam int unsigned SpawnW = 156;
 
   typedef struct packed {
+    logic [5:0] ray;
+    logic [23:0] record;
+    logic [23:0] path;
+    logic [16:0] cosine;
+    logic [16:0] u;
+    logic [16:0] v;
+  } tex_req_t;
+  localparam int unsigned TexReqW = 105;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [23:0] addr;
+  } texel_req_t;
+  localparam int unsigned TexelReqW = 30;
+
+  typedef struct packed {
+    logic id;
+    logic [23:0] addr;
+  } tex_miss_t;
+  localparam int unsigned TexMissW = 25;
+
+  typedef struct packed {
+    logic id;
+    logic [511:0] line;
+  } tex_fill_t;
+  localparam int unsigned TexFillW = 513;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [511:0] line;
+  } texel_rsp_t;
+  localparam int unsigned TexelRspW = 518;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic hole;
+    logic [38:0] colour;
+  } tex_rsp_t;
+  localparam int unsigned TexRspW = 46;
+
+  typedef struct packed {
     logic id;
     logic [23:0] addr;
   } stream_miss_t;
@@ -995,6 +1117,15 @@ package rc_pkg;
     logic is_inside;
   } waiting_t;
   localparam int unsigned WaitingW = 168;
+
+  typedef struct packed {
+    logic [1:0] x;
+    logic [1:0] y;
+    logic [7:0] weight_x;
+    logic [7:0] weight_y;
+    logic [7:0] cutoff;
+  } texel_place_t;
+  localparam int unsigned TexelPlaceW = 28;
 
   // Parts that list stores: the ray for tri, a node's leaves, the best hit.
 
@@ -1234,4 +1365,19 @@ package rc_pkg;
     logic [15:0] leave;
   } surface_t;
   localparam int unsigned SurfaceW = 483;
+
+  typedef struct packed {
+    logic [83:0] s;
+    logic [83:0] t;
+    logic [23:0] base;
+    logic [3:0] log_width;
+    logic [3:0] log_height;
+    logic [1:0] wrap_s;
+    logic [1:0] wrap_t;
+    logic nearest;
+    logic [3:0] last_level;
+    logic signed [13:0] density;
+    logic [7:0] cutoff;
+  } tex_record_t;
+  localparam int unsigned TexRecordW = 231;
 endpackage

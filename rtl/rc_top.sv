@@ -38,6 +38,7 @@ module rc_top #(
   localparam int unsigned PrimIdW        = rc_pkg::PrimMissW - AddrBits;
   localparam int unsigned SurfIdW        = rc_pkg::SurfMissW - AddrBits;
   localparam int unsigned RecordIdW      = rc_pkg::StreamMissW - AddrBits;
+  localparam int unsigned TexelIdW       = rc_pkg::TexMissW - AddrBits;
   localparam int unsigned Clients        = rc_pkg::Clients;
   // Causes of the shared units and of a pipeline's units.
   localparam int unsigned SharedCauseW   = rc_pkg::SharedUnits * rc_pkg::CauseBits;
@@ -57,8 +58,8 @@ module rc_top #(
     .want_i(tile_ready), .tile_fires_o(tile_fires), .tile_o(tile), .cause_o(dispatch_cause));
 
   // ---- Pipelines. Their caches are clients of memory: client Clients p reads nodes, the
-  // next one primitives, the next one surfaces if the chip shades, or records of a stream. A fourth
-  // client of a pipeline does not exist.
+  // next one primitives, the next one surfaces if the chip shades, or records of a stream. The
+  // fourth one reads textures, if the chip has some.
   logic [Clients*Pipelines-1:0]                     miss_valid, miss_ready, fill_fires;
   logic [Clients*Pipelines*(CacheIdW+AddrBits)-1:0] miss;
   logic                                             fill_valid;
@@ -77,6 +78,9 @@ module rc_top #(
     logic [RecordIdW-1:0] record_id;
     logic [AddrBits-1:0]  record_addr;
     logic                 record_valid, record_ready, record_fires;
+    logic [TexelIdW-1:0]  texel_id;
+    logic [AddrBits-1:0]  texel_addr;
+    logic                 texel_valid, texel_ready, texel_fires;
 
     rc_pipeline u_pipeline (
       .clk_i, .rst_ni, .start_i, .frame_i,
@@ -90,6 +94,9 @@ module rc_top #(
       .surf_miss_valid_o(surf_valid), .surf_miss_ready_i(surf_ready),
       .surf_miss_o({surf_id, surf_addr}), .surf_fill_fires_i(surf_fires),
       .surf_fill_i({fill_id[SurfIdW-1:0], fill.line}),
+      .tex_miss_valid_o(texel_valid), .tex_miss_ready_i(texel_ready),
+      .tex_miss_o({texel_id, texel_addr}), .tex_fill_fires_i(texel_fires),
+      .tex_fill_i({fill_id[TexelIdW-1:0], fill.line}),
       .stream_miss_valid_o(record_valid), .stream_miss_ready_i(record_ready),
       .stream_miss_o({record_id, record_addr}), .stream_fill_fires_i(record_fires),
       .stream_fill_i({fill_id[RecordIdW-1:0], fill.line}),
@@ -104,9 +111,11 @@ module rc_top #(
 
     if (Clients == 2) begin : gen_plain
       assign {surf_ready, surf_fires, record_ready, record_fires} = '0;
+      assign {texel_ready, texel_fires} = '0;
 
       logic unused;
-      assign unused = ^{surf_valid, surf_id, surf_addr, record_valid, record_id, record_addr};
+      assign unused = ^{surf_valid, surf_id, surf_addr, record_valid, record_id, record_addr,
+                        texel_valid, texel_id, texel_addr};
     end else begin : gen_third
       logic                         third_valid, third_ready, third_fires;
       logic [CacheIdW+AddrBits-1:0] third;
@@ -128,12 +137,10 @@ module rc_top #(
       end
 
       assign {third_ready, third_fires}   = {miss_ready[Clients*p+2], fill_fires[Clients*p+2]};
-      assign miss_valid[Clients*p+2 +: 2] = {1'b0, third_valid};
+      assign {texel_ready, texel_fires}   = {miss_ready[Clients*p+3], fill_fires[Clients*p+3]};
+      assign miss_valid[Clients*p+2 +: 2] = {texel_valid, third_valid};
       assign miss[(Clients*p+2)*(CacheIdW+AddrBits) +: 2*(CacheIdW+AddrBits)] =
-          {{(CacheIdW+AddrBits){1'b0}}, third};
-
-      logic unused;
-      assign unused = ^{miss_ready[Clients*p+3], fill_fires[Clients*p+3]};
+          {CacheIdW'(texel_id), texel_addr, third};
     end
   end
 

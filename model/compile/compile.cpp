@@ -16,6 +16,7 @@
 #include "model/engine/bvh/splits.hpp"
 #include "model/engine/bvh/build.hpp"
 #include "model/compile/surfaces.hpp"
+#include "model/compile/textures.hpp"
 #include "model/compile/lattice.hpp"
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
@@ -182,7 +183,11 @@ MemoryImage compile_scene(const Scene& given, const glm::dvec3& eye, const Confi
     check_kept(triangles, scene, config, name);
     MemoryImage image = compile_triangles(triangles, config, name, progress);
     image.lattice = lattice;
-    if (config.has_shade()) write_surfaces(scene, config, name, image);
+    if (config.has_shade()) {
+        TextureLines textures;
+        const auto records = write_textures(scene, lattice, config, name, textures, image);
+        write_surfaces(scene, records, config, name, image);
+    }
     image.report.triangles = scene.triangles.size();
     image.report.collapsed = primitive_count(scene) - triangles.size() - coincident;
     image.report.coincident = coincident;

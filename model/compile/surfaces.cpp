@@ -10,6 +10,7 @@
 #include <tbb/parallel_for.h>
 
 #include "model/compile/emit.hpp"
+#include "model/compile/textures.hpp"
 #include "model/layout/words.hpp"
 #include "model/compile/plane.hpp"
 #include "model/base/error.hpp"
@@ -250,19 +251,22 @@ void check_units(const Scene& scene, const Config& config, const std::string& na
     if (!scene.planes.empty() && !config.planes) refuse("planes", "planes");
     if (!config.has_shade()) return;
     if (!scene.normals.empty() && !config.smooth) refuse("corner normals", "smooth");
+    if (!scene.coordinates.empty() && !config.textures) refuse("textures", "textures");
     for (const Material& m : scene.materials)
         if (m.transmit > 0 && !config.refraction) refuse("a material that transmits", "refraction");
 }
 
-void write_surfaces(const Scene& scene, const Config& config, const std::string& name, MemoryImage& image) {
+void write_surfaces(const Scene& scene, const std::vector<std::uint32_t>& records, const Config& config,
+                    const std::string& name, MemoryImage& image) {
     const std::size_t first = image.lines(), count = primitive_count(scene);
     check_lines(first + count, config, name);
     image.first_surface_line = std::uint32_t(first);
     image.words.resize((first + count) * words_per_line, 0);
     tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
         Words scratch;
-        write_payload(surface_of(scene, image.lattice, config, i), config,
-                      &image.words[(first + i) * words_per_line], scratch);
+        Surface surface = surface_of(scene, image.lattice, config, i);
+        if (i < records.size()) surface.record = records[i];
+        write_payload(surface, config, &image.words[(first + i) * words_per_line], scratch);
     });
     image.report.bytes = image.words.size() * sizeof(std::uint32_t);
 }
@@ -272,6 +276,7 @@ Config fitted_config(const Scene& scene, const Whitted& settings, Config config)
     config.spheres = !scene.spheres.empty();
     config.planes = !scene.planes.empty();
     config.smooth = !scene.normals.empty();
+    config.textures = !scene.coordinates.empty();
     config.refraction = std::any_of(scene.materials.begin(), scene.materials.end(),
                                     [](const Material& m) { return m.transmit > 0; });
     config.supersampling = settings.aa > 1 || settings.jitter;
@@ -291,7 +296,7 @@ Config fitted_config(const Scene& scene, const Whitted& settings, Config config)
 }
 
 ShadeFrame make_shade_frame(const Scene& scene, const Whitted& settings, const MemoryImage& image,
-                            const Config& config) {
+                            std::uint32_t height, const Config& config) {
     const std::string name = scene.name.empty() ? "the scene" : scene.name;
     const auto refuse = [&](const std::string& what, int there, const char* key, int value) {
         throw UserError(name + ": " + what + ", and the configuration has " + std::to_string(there) +
@@ -320,6 +325,7 @@ ShadeFrame make_shade_frame(const Scene& scene, const Whitted& settings, const M
     frame.background = {fixed(scene.background.x, unit_bits, 1u << unit_bits),
                         fixed(scene.background.y, unit_bits, 1u << unit_bits),
                         fixed(scene.background.z, unit_bits, 1u << unit_bits)};
+    if (config.has_textures()) frame.spread = spread_of(*scene.camera, height, settings.aa);
     frame.lights = std::uint32_t(lights);
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const glm::dvec3 at = (scene.lights[i].position - image.lattice.centre) / image.lattice.pitch;

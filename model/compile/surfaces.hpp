@@ -30,13 +30,15 @@ Surface surface_of(const Scene& scene, const Lattice& lattice, const Config& con
 /// Throws UserError if the scene needs a unit that the configuration does not have.
 void check_units(const Scene& scene, const Config& config, const std::string& name);
 
-/// Appends the surfaces, a line each, to the image. Throws UserError beyond the address range.
-void write_surfaces(const Scene& scene, const Config& config, const std::string& name, MemoryImage& image);
+/// Appends the surfaces, a line each, to the image. `records`: the result of write_textures(). Throws
+/// UserError beyond the address range.
+void write_surfaces(const Scene& scene, const std::vector<std::uint32_t>& records, const Config& config,
+                    const std::string& name, MemoryImage& image);
 
-/// Returns the shading registers of a frame. Throws UserError if the configuration has too few lights or
-/// bounces, or only one sample.
+/// Returns the shading registers of a frame of this height. Throws UserError if the configuration has too few
+/// lights or bounces, or only one sample.
 ShadeFrame make_shade_frame(const Scene& scene, const Whitted& settings, const MemoryImage& image,
-                            const Config& config);
+                            std::uint32_t height, const Config& config);
 
 /// Returns the configuration with exactly the optional units that the scene and the picture need.
 Config fitted_config(const Scene& scene, const Whitted& settings, Config config);

@@ -78,7 +78,8 @@ void check_parameters(const Config& c, const std::string& where) {
                                                   {"planes", c.planes},
                                                   {"smooth", c.smooth},
                                                   {"refraction", c.refraction},
-                                                  {"supersampling", c.supersampling}};
+                                                  {"supersampling", c.supersampling},
+                                                  {"textures", c.textures}};
     for (const auto& [key, is_there] : units)
         if (is_there && !c.shading) refuse(std::string(key) + "=1 needs shading=1");
     if (c.source == RaySource::stream && !c.shading)
@@ -86,6 +87,7 @@ void check_parameters(const Config& c, const std::string& where) {
     for (const auto& [key, is_there] : {std::pair{"smooth", c.smooth},
                                         {"refraction", c.refraction},
                                         {"supersampling", c.supersampling},
+                                        {"textures", c.textures},
                                         {"horizon", c.horizon}})
         if (is_there && c.is_stream())
             refuse(std::string(key) + "=1 needs source=camera: a chip for ray streams has no unit shade");

@@ -71,6 +71,10 @@ RAYCLOCK_CHOICE(Splits, off, on)
 /// The source of rays: the camera and shade, or records in memory (docs/guide/streams.md).
 RAYCLOCK_CHOICE(RaySource, camera, stream)
 
+/// Formats of texels, both sRGB (model/unit/tex/texel.hpp): 8 bits a channel with 8 bits of alpha, or 5, 6
+/// and 5 bits with one bit of alpha.
+RAYCLOCK_CHOICE(TexelFormat, rgb888, rgb565)
+
 /// The length of paths in the RTL: model/core/stages.hpp.
 RAYCLOCK_CHOICE(Timing, relaxed, fast)
 

@@ -53,10 +53,11 @@ int Config::node_miss_bits() const { return miss_bits(node_mshrs, node_line); }
 int Config::prim_miss_bits() const { return miss_bits(prim_mshrs, prim_line); }
 int Config::surf_miss_bits() const { return has_shade() ? miss_bits(surf_mshrs, surf_line) : 1; }
 int Config::stream_miss_bits() const { return is_stream() ? miss_bits(stream_mshrs, stream_line) : 1; }
+int Config::tex_miss_bits() const { return has_textures() ? miss_bits(tex_mshrs, tex_line) : 1; }
 int Config::l2_miss_bits() const { return miss_bits(l2_mshrs, l2_line); }
 int Config::longest_line() const {
     return std::max({node_line, prim_line, has_shade() ? surf_line : 0, is_stream() ? stream_line : 0,
-                     l2_sets > 0 ? l2_line : 0});
+                     has_textures() ? tex_line : 0, l2_sets > 0 ? l2_line : 0});
 }
 int Config::least_addr_bits() const {
     const auto untagged_bits = [](int sets, int line) {
@@ -64,17 +65,18 @@ int Config::least_addr_bits() const {
     };
     const int own = std::max({untagged_bits(node_sets, node_line), untagged_bits(prim_sets, prim_line),
                               has_shade() ? untagged_bits(surf_sets, surf_line) : 0,
-                              is_stream() ? untagged_bits(stream_sets, stream_line) : 0});
+                              is_stream() ? untagged_bits(stream_sets, stream_line) : 0,
+                              has_textures() ? untagged_bits(tex_sets, tex_line) : 0});
     return 1 + (l2_sets > 0 ? std::max(own, untagged_bits(l2_sets, l2_line)) : own);
 }
 int Config::clear_cycles() const {
     return 4 + std::max({node_sets, prim_sets, has_shade() ? surf_sets : 0, is_stream() ? stream_sets : 0,
-                         l2_sets});
+                         has_textures() ? tex_sets : 0, l2_sets});
 }
 int Config::client_bits() const { return index_bits(clients() * pipelines); }
 int Config::client_id_bits() const {
-    return client_bits() +
-           std::max({node_miss_bits(), prim_miss_bits(), surf_miss_bits(), stream_miss_bits()});
+    return client_bits() + std::max({node_miss_bits(), prim_miss_bits(), surf_miss_bits(), stream_miss_bits(),
+                                     tex_miss_bits()});
 }
 int Config::tile_coord_bits() const { return pixel_bits - tile_bits; }
 int Config::mem_id_bits() const { return l2_sets > 0 ? l2_miss_bits() : client_id_bits(); }

@@ -43,13 +43,22 @@ constexpr int light_reach = 8;
 constexpr int plane_bits = 12;   ///< whole bits of a plane's u and v
 /// Steps in which a distant ray finds the lattice: model/unit/shade/approach.hpp.
 constexpr int approach_steps = 12;
-constexpr int max_lights = 64;      ///< maximum of Config::lights
-constexpr int most_fine = 4;        ///< maximum of Surface::fine
-constexpr int sample_bits = 6;      ///< a pixel's sample, 0..63
-constexpr int sub_pixel_bits = 8;   ///< fraction bits of a sample's place
-constexpr int depth_bits = 4;       ///< bounces of a camera ray, 0..15
-constexpr int unit_stages = 8;      ///< latency of rtl/fixed/rc_unit.sv
-constexpr int power_stages = 7;     ///< latency of rc_power.sv
+constexpr int max_lights = 64;        ///< maximum of Config::lights
+constexpr int most_fine = 4;          ///< maximum of Surface::fine
+constexpr int sample_bits = 6;        ///< a pixel's sample, 0..63
+constexpr int sub_pixel_bits = 8;     ///< fraction bits of a sample's place
+constexpr int depth_bits = 4;         ///< bounces of a camera ray, 0..15
+constexpr int coordinate_frac = 20;   ///< fraction bits of a texture coordinate, out of coordinate_bits
+constexpr int coordinate_bits = 28;
+constexpr int texel_frac = 8;   ///< fraction bits of a texture coordinate in texels
+constexpr int side_bits = 4;    ///< logarithm of a texture's side, 0..12
+constexpr int most_side_log = 12;
+constexpr int level_frac = 6;     ///< fraction bits of a texture's level and of logarithms of lengths
+constexpr int level_bits = 14;    ///< such a logarithm, signed
+constexpr int hole_bits = 6;      ///< holes of textures through which a ray has gone since its last bounce
+constexpr int length_bits = 7;    ///< fraction bits of a direction's length in a path's length
+constexpr int unit_stages = 8;    ///< latency of rtl/fixed/rc_unit.sv
+constexpr int power_stages = 7;   ///< latency of rc_power.sv
 
 /// Bits that a point of a plane beyond the lattice loses as a ray's origin: O' in docs/proofs/origins.md.
 constexpr int far_drop = light_reach + 1;
@@ -92,6 +101,7 @@ struct Config {
     /// True if rays come from records in memory. They may begin anywhere, so shading is set as well.
     bool is_stream() const { return shading && source == RaySource::stream; }
     bool has_shade() const { return shading && !is_stream(); }
+    bool has_textures() const { return has_shade() && textures; }
     bool has_homes() const { return has_instances() && shading; }   ///< rays start from instances
     /// Returns the structure of meshes; with one level, that of the scene.
     Structure lower_structure() const;
@@ -155,13 +165,16 @@ struct Config {
     int prim_miss_bits() const;
     int surf_miss_bits() const;
     int stream_miss_bits() const;
+    int tex_miss_bits() const;
+    int tex_address_latency() const;   ///< of unit tex, from a texture record to the address of texels
+    int tex_filter_latency() const;    ///< of unit tex, from texels to a colour
     int l2_miss_bits() const;
     int longest_line() const;      ///< bytes of the longest line of the chip's caches
     int least_addr_bits() const;   ///< fewest address bits that leave a tag of one bit in every cache
-    /// Memory clients of a pipeline: nodes, primitives, and in a chip with shading=1 surfaces or ray records.
-    /// Such a chip leaves the number of its fourth client unused.
+    /// Memory clients of a pipeline: nodes, primitives, and in a chip with shading=1 surfaces or ray records,
+    /// and textures. A chip without textures leaves the number of its fourth client unused.
     int clients() const { return shading ? 4 : 2; }
-    /// Bits of a cache's number among the caches of all pipelines: clients() * pipeline + 0, 1, 2.
+    /// Bits of a cache's number among the caches of all pipelines: clients() * pipeline + 0..3.
     int client_bits() const;
     int client_id_bits() const;    ///< id of a cache's request, unique in the machine
     int tile_coord_bits() const;   ///< coordinate of a tile, in tiles

@@ -26,6 +26,9 @@ constexpr std::uint32_t reach_of(RayKind kind, const Config& config) {
                                    : (1u << config.t_bits()) - 1;
 }
 
+/// Mean error of the logarithm of a path's length: path_to() in model/unit/shade/surf.hpp.
+constexpr double length_bias = 0.057;
+
 /// Registers of a frame for a chip that shades.
 struct ShadeFrame {
     std::uint32_t first_surface_line = 0;   ///< line of primitive 0's surface
@@ -40,6 +43,9 @@ struct ShadeFrame {
     std::uint32_t share = 0, first_share = 0;
     std::uint32_t seed = 0;
     std::array<std::uint32_t, 3> background{};   ///< unit_bits fraction bits
+    /// Logarithm of the width of a pixel's sample at a distance of 1, less length_bias: level_frac fraction
+    /// bits.
+    std::int32_t spread = 0;
     std::uint32_t lights = 0;
     std::array<std::uint32_t, max_lights> near{};   ///< 1: the light lies within the lattice
     /// 1: no plane except panes separates the light from the eye.
@@ -60,6 +66,7 @@ struct ShadeFrame {
         v("first_share", first_share, unit_bits + 1);
         v("seed", seed, 32);
         v("background", background, unit_bits + 1, 3);
+        if (c.has_textures()) v("spread", spread, level_bits);
         v("lights", lights, 7);
         v("is_near", near, 1, c.lights);
         v("is_clear", clear, 1, c.lights);

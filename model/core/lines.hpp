@@ -25,6 +25,9 @@ struct Placement {
     std::uint32_t first_surface_line = 0;   ///< line that the surface of primitive 0 would have; it may wrap
     std::uint32_t material = 0;   ///< line of a surface whose material all its primitives take; 0: none
     std::uint32_t same = 0;       ///< 1: A = 1 and b = 0, so a ray is the same in its mesh and in the scene
+    /// With textures: log2 of the mesh's steps in a step of the scene, |det A|^(1/3); level_frac fraction
+    /// bits.
+    std::int32_t texel_scale = 0;
     std::array<std::int32_t, 9> a{};   ///< [3 * row + column], map_frac() fraction bits; 1 is possible
     Vec3l b{};                         ///< map_frac() fraction bits
     template <class V> void fields(V& v, const Config& c) {
@@ -34,6 +37,7 @@ struct Placement {
         if (c.shading) v("surfaces", first_surface_line, c.addr_bits);
         if (c.shading) v("material", material, c.addr_bits);
         if (c.shading) v("is_same", same, 1);
+        if (c.has_textures()) v("texel_scale", texel_scale, level_bits);
         v("a", a, c.map_bits(), 9);
         v("b", b, c.coord_bits + c.map_frac(), 3);
     }
@@ -92,6 +96,39 @@ inline std::uint64_t radius_squared(const PrimData& sphere, int coord_bits) {
     return (std::uint64_t(sphere.b[0]) & mask) | (std::uint64_t(sphere.b[1]) & mask) << coord_bits;
 }
 
+/// How a texture continues beyond its edges.
+enum class WrapMode : std::uint32_t { repeat, mirror, clamp };
+
+/// The texture on a triangle: a line of memory (right-aligned), which Surface::record names. Coordinates s
+/// and t count pictures, t downwards.
+struct TexRecord {
+    std::array<std::int32_t, 3> s{}, t{};   ///< of the corners, coordinate_frac fraction bits
+    std::uint32_t base = 0;   ///< first line of level 0; model/unit/tex/texel.hpp has the others
+    std::uint32_t log_width = 0, log_height = 0;   ///< logarithms of the sides of level 0, in texels
+    std::uint32_t wrap_s = 0, wrap_t = 0;          ///< WrapMode
+    std::uint32_t nearest = 0;                     ///< 1: the nearest texel; 0: bilinear
+    std::uint32_t last_level = 0;                  ///< number of the smallest level
+    /// Logarithm of the density of level 0: texels in a distance of 2^-F lattice steps. level_frac fraction
+    /// bits.
+    std::int32_t density = 0;
+    /// Where alpha is less, the triangle has a hole: 255 is opaque. 0: it has none.
+    std::uint32_t cutoff = 0;
+    template <class V> void fields(V& v, const Config& c) {
+        v("s", s, coordinate_bits, 3);
+        v("t", t, coordinate_bits, 3);
+        v("base", base, c.addr_bits);
+        v("log_width", log_width, side_bits);
+        v("log_height", log_height, side_bits);
+        v("wrap_s", wrap_s, 2);
+        v("wrap_t", wrap_t, 2);
+        v("nearest", nearest, 1);
+        v("last_level", last_level, side_bits);
+        v("density", density, level_bits);
+        v("cutoff", cutoff, 8);
+    }
+    friend bool operator==(const TexRecord&, const TexRecord&) = default;
+};
+
 /// The shading data of a primitive: a line of memory (right-aligned), number ShadeFrame::first_surface_line +
 /// primitive.
 struct Surface {
@@ -99,7 +136,8 @@ struct Surface {
     /// For a triangle: all components of its edges are multiples of 2^fine. So points of B fraction bits lie
     /// 2^-(B + fine) of an edge apart on it.
     std::uint32_t fine = 0;
-    Vec3i a{}, b{}, c{};   ///< as in PrimData
+    std::uint32_t record = 0;   ///< line of the triangle's TexRecord; 0: no texture
+    Vec3i a{}, b{}, c{};        ///< as in PrimData
     /// For a smooth triangle: [3 * corner + axis], each normal at most 2^(corner_bits - 1) - 1 long. For a
     /// plane: normal[0] and [1] are phases, normal[2] and [3] bit numbers. Bit normal[2] of u + normal[0]
     /// 2^bary_bits selects the second square of a pair along u; bit normal[3] of v + normal[1] 2^bary_bits
@@ -118,6 +156,7 @@ struct Surface {
         v("checkered", checkered, 1);
         v("schlick", schlick, 1);
         v("fine", fine, 3);
+        if (c_.has_textures()) v("record", record, c_.addr_bits);
         v("a", a, c_.coord_bits, 3);
         v("b", b, c_.coord_bits, 3);
         v("c", c, c_.coord_bits, 3);
@@ -134,9 +173,11 @@ struct Surface {
         v("enter", enter, ratio_bits);
         v("leave", leave, ratio_bits);
     }
-    /// Returns this surface with the material of another. Fields that only planes have stay.
+    /// Returns this surface with the material of another, which has no texture. Fields that only planes have
+    /// stay.
     Surface with_material(const Surface& o) const {
         Surface s = *this;
+        s.record = 0;
         s.schlick = o.schlick, s.colour = o.colour, s.other = o.other;
         s.ambient = o.ambient, s.diffuse = o.diffuse, s.highlight = o.highlight;
         s.mirror = o.mirror, s.transmit = o.transmit, s.r0 = o.r0, s.shine = o.shine;

@@ -57,6 +57,25 @@ struct SurfRsp {
     }
 };
 
+/// tex -> texture memory: a texture record, or the texels of a hit. The address counts lines.
+struct TexelReq {
+    std::uint32_t ray = 0, addr = 0;
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        v("addr", addr, c.addr_bits);
+    }
+};
+
+/// texture memory -> tex.
+struct TexelRsp {
+    std::uint32_t ray = 0;
+    Line line{};
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        v("line", line, 32, 16);
+    }
+};
+
 /// stream -> raygen: a ray from memory. Its request is the context's Slot, which holds the ray's number.
 struct StreamRsp {
     std::uint32_t ray = 0;
@@ -93,6 +112,8 @@ using SurfMiss = LineReq<&Config::surf_miss_bits>;
 using SurfFill = LineRsp<&Config::surf_miss_bits>;
 using StreamMiss = LineReq<&Config::stream_miss_bits>;
 using StreamFill = LineRsp<&Config::stream_miss_bits>;
+using TexMiss = LineReq<&Config::tex_miss_bits>;
+using TexFill = LineRsp<&Config::tex_miss_bits>;
 using L2Req = LineReq<&Config::client_id_bits>;   ///< arbiter -> shared cache, or memory if there is none
 using L2Rsp = LineRsp<&Config::client_id_bits>;
 using MemReq = LineReq<&Config::mem_id_bits>;   ///< chip -> DRAM

@@ -31,6 +31,7 @@ const Condition levels{"levels", [](const Config& c) { return c.has_instances();
 const Condition shading{"shading", [](const Config& c) { return c.shading; }, "shading=1"};
 const Condition shade{"source", [](const Config& c) { return c.has_shade(); }, "shading=1 and source=camera",
                       &shading};
+const Condition textures{"textures", [](const Config& c) { return c.has_textures(); }, "textures=1", &shade};
 const Condition stream{"source", [](const Config& c) { return c.is_stream(); }, "source=stream"};
 }   // namespace condition
 

@@ -292,6 +292,38 @@ inline bool same_answer(const Closest& a, const Closest& b) {
            a.back == b.back;
 }
 
+/// shade -> tex: the hit of a triangle with a texture.
+struct TexReq {
+    std::uint32_t ray = 0;
+    std::uint32_t record = 0;   ///< as in Surface
+    /// Length of the path from the eye to the hit, about: units of 2^-F lattice steps, saturated.
+    std::uint32_t path = 0;
+    std::uint32_t cosine = 0;     ///< between view and normal, 0..1, unit_bits fraction bits
+    std::uint32_t u = 0, v = 0;   ///< of the hit, as in Closest
+    std::int32_t scale = 0;       ///< with two levels: Placement::texel_scale
+    template <class V> void fields(V& v_, const Config& c) {
+        v_("ray", ray, c.ray_bits());
+        v_("record", record, c.addr_bits);
+        if (c.has_homes()) v_("scale", scale, level_bits);
+        v_("path", path, c.t_bits());
+        v_("cosine", cosine, unit_bits + 1);
+        v_("u", u, c.uv_bits());
+        v_("v", v, c.uv_bits());
+    }
+};
+
+/// tex -> shade: the texture's colour at the hit, linear.
+struct TexRsp {
+    std::uint32_t ray = 0;
+    std::uint32_t hole = 0;                  ///< 1: alpha is below the cut-off, and the ray goes on
+    std::array<std::uint32_t, 3> colour{};   ///< 0..1, share_bits fraction bits
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        v("hole", hole, 1);
+        v("colour", colour, share_bits + 1, 3);
+    }
+};
+
 /// shade -> sched: a finished pixel, with the hit of its first camera ray and its colour.
 struct Pixel {
     Closest first;

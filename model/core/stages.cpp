@@ -70,6 +70,9 @@ Stages::Stages(const Config& config) {
     recip_share = std::min(config.xform_interval, 3);
     map = cut + multiply + map_share - 1 + 2;
 
+    tex_address = 7;
+    tex_filter = 4;
+
     pass_cut = config.shade_interval >= 8 ? cut : 0;
     pass_out = pass - (pass_cut ? 1 : 0);
     pass_parts = pass_cut ? 4 : 1;
@@ -95,6 +98,8 @@ int Config::xform_latency() const {
 }
 // With an interval above 1, the inputs are held for several cycles and start in a register.
 int Config::pass_latency() const { return Stages(*this).pass * shade_interval + (shade_interval > 1); }
+int Config::tex_address_latency() const { return Stages(*this).tex_address; }
+int Config::tex_filter_latency() const { return Stages(*this).tex_filter; }
 int Config::shade_latency() const { return pass_latency() + Stages(*this).pass_read; }
 
 }   // namespace rayclock

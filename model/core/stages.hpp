@@ -65,6 +65,9 @@ struct Stages {
     /// Number of parts in which values that accompany a pass are written and read, one per cycle.
     int pass_parts = 1;
     int pass_read = 0;   ///< cycles until a context's state has been read
+    // Unit tex, rtl/unit/tex: from a texture record to the address of texels, and from these to a colour.
+    int tex_address = 0;
+    int tex_filter = 0;
     // Units that keep state per ray.
     int node_answer_delay = 0;   ///< additional stages of trav, from box's answer to its leaves
     int tri_answer_delay = 0;    ///< additional stages of list, after tri's answer

@@ -44,6 +44,12 @@ namespace rayclock {
     LINK(surf_fill, SurfFill, memport, surf_cache, fires, shade)       \
     LINK(surf_rsp, SurfRsp, surf_cache, shade, handshake, shade)       \
     LINK(spawn, Spawn, shade, raygen, handshake, shade)                \
+    LINK(tex_req, TexReq, shade, tex, handshake, textures)             \
+    LINK(texel_req, TexelReq, tex, tex_cache, handshake, textures)     \
+    LINK(tex_miss, TexMiss, tex_cache, memport, handshake, textures)   \
+    LINK(tex_fill, TexFill, memport, tex_cache, fires, textures)       \
+    LINK(texel_rsp, TexelRsp, tex_cache, tex, handshake, textures)     \
+    LINK(tex_rsp, TexRsp, tex, shade, fires, textures)                 \
     LINK(stream_miss, StreamMiss, stream, memport, handshake, stream)  \
     LINK(stream_fill, StreamFill, memport, stream, fires, stream)      \
     LINK(record, StreamRsp, stream, raygen, handshake, stream)         \

@@ -60,7 +60,8 @@ void Machine::settle_shared() {
         want |= std::uint32_t(pipeline.tile_ready()) << p;
         misses |=
             (std::uint64_t(pipeline.node_miss_valid()) | std::uint64_t(pipeline.prim_miss_valid()) << 1 |
-             std::uint64_t(pipeline.surf_or_stream_miss_valid()) << 2)
+             std::uint64_t(pipeline.surf_or_stream_miss_valid()) << 2 |
+             std::uint64_t(pipeline.tex_miss_valid()) << 3)
             << clients_ * p;
         shared_moves_[p] = {};
     }
@@ -92,11 +93,13 @@ void Machine::settle_shared() {
         const std::uint32_t cache = std::uint32_t(client_) % clients_;
         const Cache::Miss miss = cache == 0   ? pipelines_[p].node_miss()
                                  : cache == 1 ? pipelines_[p].prim_miss()
-                                              : pipelines_[p].surf_or_stream_miss();
+                                 : cache == 2 ? pipelines_[p].surf_or_stream_miss()
+                                              : pipelines_[p].tex_miss();
         client_request_ = {std::uint32_t(client_) << client_shift_ | miss.id, miss.addr};
         (cache == 0   ? shared_moves_[p].node_miss
          : cache == 1 ? shared_moves_[p].prim_miss
-                      : shared_moves_[p].surf_or_stream_miss) = taken;
+         : cache == 2 ? shared_moves_[p].surf_or_stream_miss
+                      : shared_moves_[p].tex_miss) = taken;
     }
     const std::uint32_t dispatch = granted_ >= 0 ? 0 : dispatch_.more() ? 2 : 1;
     last_shared_ = dispatch | (client_ < 0 ? 1u : taken ? 0u : 2u) << 2;
@@ -110,7 +113,10 @@ void Machine::route(bool answered, std::uint32_t id) {
     fill_id_ = id & ((1u << client_shift_) - 1);
     SharedMoves& moves = shared_moves_[std::size_t(fill_client_) / clients_];
     const std::uint32_t cache = std::uint32_t(fill_client_) % clients_;
-    (cache == 0 ? moves.node_fill : cache == 1 ? moves.prim_fill : moves.surf_or_stream_fill) = &fill_id_;
+    (cache == 0   ? moves.node_fill
+     : cache == 1 ? moves.prim_fill
+     : cache == 2 ? moves.surf_or_stream_fill
+                  : moves.tex_fill) = &fill_id_;
 }
 
 void Machine::settle_pipelines() {

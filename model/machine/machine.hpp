@@ -156,11 +156,15 @@ template <class Observer> void Machine::show(Observer& observe) const {
                 case Link::node_fill:
                 case Link::surf_fill:
                 case Link::stream_fill:
+                case Link::tex_fill:
                 case Link::prim_fill: move.id = fill_id_; break;
                 case Link::surf_miss:
                 case Link::stream_miss:
                     move.id = pipeline.surf_or_stream_miss().id,
                     move.addr = pipeline.surf_or_stream_miss().addr;
+                    break;
+                case Link::tex_miss:
+                    move.id = pipeline.tex_miss().id, move.addr = pipeline.tex_miss().addr;
                     break;
                 default: {
                     move.id = pipeline.ray_on(c);
@@ -168,6 +172,7 @@ template <class Observer> void Machine::show(Observer& observe) const {
                     move.x = pixel.x, move.y = pixel.y;
                     if (c == Link::node_req) move.addr = pipeline.node_addr(move.id);
                     if (c == Link::surf_req) move.addr = pipeline.surf_addr(move.id);
+                    if (c == Link::texel_req) move.addr = pipeline.texel_addr(move.id);
                     if (c == Link::prim_req) move.addr = pipeline.prim_addr(move.id);
                 }
             }

@@ -142,6 +142,18 @@ template <class See> void PayloadReplay::operator()(const Move& m, See&& see) {
             requested(m, Link::stream_miss) = m.addr;
             return emit(StreamMiss{m.id, m.addr});
         case Link::stream_fill: return emit(StreamFill{m.id, line(requested(m, Link::stream_miss))});
+        // A textured hit has one texture record and one line of texels, and run() has read both.
+        case Link::tex_req: requested(m, Link::texel_req) = 0; return emit(shader(m).texture()->request);
+        case Link::texel_req: {
+            std::uint32_t& addr = requested(m, Link::texel_req);
+            const Shader::Texture& read = *shader(m).texture();
+            addr = addr == 0 ? read.request.record : read.place.line;
+            return emit(TexelReq{m.id, addr});
+        }
+        case Link::texel_rsp: return emit(TexelRsp{m.id, line(requested(m, Link::texel_req))});
+        case Link::tex_rsp: return emit(shader(m).texture()->answer);
+        case Link::tex_miss: requested(m, Link::tex_miss) = m.addr; return emit(TexMiss{m.id, m.addr});
+        case Link::tex_fill: return emit(TexFill{m.id, line(requested(m, Link::tex_miss))});
         case Link::surf_miss: requested(m, Link::surf_miss) = m.addr; return emit(SurfMiss{m.id, m.addr});
         case Link::surf_fill: return emit(SurfFill{m.id, line(requested(m, Link::surf_miss))});
         case Link::node_miss: requested(m, Link::node_miss) = m.addr; return emit(NodeMiss{m.id, m.addr});

@@ -31,6 +31,9 @@ Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
       delays_answers_(Stages(config).node_answer_delay > 0),
       surf_or_stream_cache_(config.is_stream() ? stream_cache_shape(config) : surf_cache_shape(config)),
       shade_(config),
+      tex_(config),
+      tex_cache_(tex_cache_shape(config)),
+      reads_texels_(std::size_t(config.contexts)),
       sink_(traffic, number),
       rays_(std::size_t(config.contexts)) {}
 
@@ -64,14 +67,18 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
             case Unit::prim_cache: clock_prim_cache(moves_, shared); break;
             case Unit::tri: clock_tri(moves_, now); break;
             case Unit::surf_cache:
-                if (feed_ == RayFeed::shade) clock_surf_cache(moves_, shared);
+                if (is_shaded(feed_)) clock_surf_cache(moves_, shared);
                 break;
             case Unit::stream:
                 if (feed_ == RayFeed::stream) clock_stream(moves_, shared);
                 break;
             case Unit::shade:
-                if (feed_ == RayFeed::shade)
-                    has_instances_ ? clock_shade<true>(moves_, now) : clock_shade<false>(moves_, now);
+                with_shape([&]<RayFeed feed, bool levels>() {
+                    if constexpr (is_shaded(feed)) clock_shade<feed, levels>(moves_, now);
+                });
+                break;
+            case Unit::tex:
+                if (feed_ == RayFeed::textured) clock_tex(moves_, now, shared);   // and tex_cache
                 break;
             default: break;   // box represents all units that decide nodes
         }
@@ -97,21 +104,40 @@ void Pipeline::clock_stream(const Moves& m, const SharedMoves& shared) {
 }
 
 /// Returns the outcome of a ray's passes, as the trace holds it after the ray.
-Shade::Leave Pipeline::turn_of(std::uint32_t ray) {
+template <Pipeline::RayFeed feed, bool levels> Shade::Leave Pipeline::turn_of(std::uint32_t ray) {
     TraceCursor& cursor = rays_[ray];
-    if (--cursor.head > 0) return Shade::Leave::again;
+    --cursor.head;
+    // The first pass of a surface has just ended, or with two levels the second.
+    if (feed == RayFeed::textured && (*cursor.at & Trace::texture_flag) &&
+        cursor.at[1] - cursor.head == 1 + levels)
+        return Shade::Leave::texture;
+    if (cursor.head > 0) return Shade::Leave::again;
     if (*cursor.at & Trace::pixel_flag) return Shade::Leave::pixel;
     cursor.at += 2;
     cursor.head = *cursor.at;
     return Shade::Leave::spawn;
 }
 
-template <bool levels> void Pipeline::clock_shade(const Moves& m, std::uint64_t now) {
+void Pipeline::clock_tex(const Moves& m, std::uint64_t now, const SharedMoves& shared) {
+    const LinkInside &req = m[Link::texel_req], &came = m[Link::texel_rsp];
+    const bool texels = reads_texels_[came.ray];
+    const std::uint32_t line = rays_[req.ray].at[m[Link::tex_req].fires ? -2 : -1] & Trace::node_mask;
+    tex_.clock(now, req.valid, req.fires, {came.fires && !texels, came.ray},
+               {came.fires && texels, came.ray});
+    if (req.fires) reads_texels_[req.ray] = !m[Link::tex_req].fires;
+    tex_outcome_ = tex_cache_.clock(req.fires, {req.ray, line}, came.fires, shared.tex_fill, shared.tex_miss);
+    last_tex_ = std::uint32_t(tex_outcome_) | m.tex_code << 3;
+    ++tex_cycles_[last_tex_];
+}
+
+template <Pipeline::RayFeed feed, bool levels> void Pipeline::clock_shade(const Moves& m, std::uint64_t now) {
     Shade::Wants wants = Shade::Wants::nothing;
     const LinkInside &closest = m[Link::closest], &came = m[Link::surf_rsp];
     const auto next = [this](std::uint32_t ray) -> std::uint32_t {
         TraceCursor& cursor = rays_[ray];
         ++cursor.at;
+        if (feed == RayFeed::textured && (*cursor.at & Trace::record_flag))
+            cursor.at += 2;   // the two words of a texture lie before the surface's
         cursor.head = cursor.at[1];
         return *cursor.at;
     };
@@ -124,12 +150,16 @@ template <bool levels> void Pipeline::clock_shade(const Moves& m, std::uint64_t 
     }
     const bool placed = came.fires & m.placing;
     if (placed) next(came.ray);
-    shade_.clock<levels>(now, closest, wants, {bool(came.fires & !m.placing), came.ray}, {placed, came.ray},
-                         m[Link::surf_req].fires, m[Link::spawn].fires, m[Link::hit].fires,
-                         [this](std::uint32_t ray) { return turn_of(ray); });
+    shade_.clock<levels, feed == RayFeed::textured>(
+        now, closest, wants, {bool(came.fires & !m.placing), came.ray}, {placed, came.ray},
+        m[Link::surf_req].fires, m[Link::spawn].fires, m[Link::hit].fires,
+        {m[Link::tex_rsp].fires, m[Link::tex_rsp].ray}, m[Link::tex_req].fires,
+        [this](std::uint32_t ray) { return turn_of<feed, levels>(ray); });
 }
-template void Pipeline::clock_shade<false>(const Moves& m, std::uint64_t now);
-template void Pipeline::clock_shade<true>(const Moves& m, std::uint64_t now);
+template void Pipeline::clock_shade<Pipeline::RayFeed::shade, false>(const Moves&, std::uint64_t);
+template void Pipeline::clock_shade<Pipeline::RayFeed::shade, true>(const Moves&, std::uint64_t);
+template void Pipeline::clock_shade<Pipeline::RayFeed::textured, false>(const Moves&, std::uint64_t);
+template void Pipeline::clock_shade<Pipeline::RayFeed::textured, true>(const Moves&, std::uint64_t);
 
 namespace {
 LinkMask at(bool on, Link link) { return LinkMask(on) << index(link); }
@@ -140,7 +170,8 @@ LinkMask Pipeline::valid_mask(const SharedMoves& shared) const {
                     at(shared.node_fill, Link::node_fill) | at(prim_cache_.miss_valid(), Link::prim_miss) |
                     at(shared.prim_fill, Link::prim_fill) |
                     at(surf_or_stream_miss_valid(), surf_or_stream(Link::surf_miss, Link::stream_miss)) |
-                    at(shared.surf_or_stream_fill, surf_or_stream(Link::surf_fill, Link::stream_fill));
+                    at(shared.surf_or_stream_fill, surf_or_stream(Link::surf_fill, Link::stream_fill)) |
+                    at(tex_miss_valid(), Link::tex_miss) | at(shared.tex_fill, Link::tex_fill);
     for (std::size_t i = 0; i < pipeline_links; ++i) mask |= at(moves_.links[i].valid, outside(Link(i)));
     return mask;
 }
@@ -150,26 +181,32 @@ LinkMask Pipeline::fire_mask(const SharedMoves& shared) const {
                     at(shared.node_fill, Link::node_fill) | at(shared.prim_miss, Link::prim_miss) |
                     at(shared.prim_fill, Link::prim_fill) |
                     at(shared.surf_or_stream_miss, surf_or_stream(Link::surf_miss, Link::stream_miss)) |
-                    at(shared.surf_or_stream_fill, surf_or_stream(Link::surf_fill, Link::stream_fill));
+                    at(shared.surf_or_stream_fill, surf_or_stream(Link::surf_fill, Link::stream_fill)) |
+                    at(shared.tex_miss, Link::tex_miss) | at(shared.tex_fill, Link::tex_fill);
     for (std::size_t i = 0; i < pipeline_links; ++i) mask |= at(moves_.links[i].fires, outside(Link(i)));
     return mask;
 }
 
 std::uint64_t Pipeline::wakes(std::uint64_t now) const {
     if (node_cache_.answers() || prim_cache_.answers() ||
-        (feed_ != RayFeed::camera && surf_or_stream_cache_.answers()))
+        (feed_ != RayFeed::camera && surf_or_stream_cache_.answers()) ||
+        (feed_ == RayFeed::textured && tex_cache_.answers()))
         return now;
     std::uint64_t wakes = std::min({raygen_.due(), box_.due(now), tri_.due(now)});
     if (has_instances_) wakes = std::min(wakes, xform_.due(now));
     if (delays_answers_) wakes = std::min({wakes, node_answer_delay_.due(now), tri_answer_delay_.due(now)});
-    return feed_ == RayFeed::shade ? std::min(wakes, shade_.due()) : wakes;
+    if (feed_ == RayFeed::textured) wakes = std::min(wakes, tex_.due(now));
+    return is_shaded(feed_) ? std::min(wakes, shade_.due()) : wakes;
 }
 
 std::string Pipeline::where(std::uint32_t ray, std::uint64_t now) const {
     if (!sched_.in_use(ray)) return {};
     if (const char* place = trav_.where(ray)) return place;
     if (const char* place = list_.where(ray)) return place;
-    if (const char* place = feed_ == RayFeed::shade ? shade_.where(ray) : nullptr) return place;
+    if (const char* place = is_shaded(feed_) ? shade_.where(ray) : nullptr) return place;
+    if (const char* place = feed_ == RayFeed::textured ? tex_.where(ray, now) : nullptr) return place;
+    if (std::string place = feed_ == RayFeed::textured ? tex_cache_.where(ray) : ""; !place.empty())
+        return "tex_cache: " + place;
     if (std::string place = feed_ != RayFeed::camera ? surf_or_stream_cache_.where(ray) : ""; !place.empty())
         return (feed_ == RayFeed::stream ? "stream: " : "surf_cache: ") + place;
     if (std::string place = node_cache_.where(ray); !place.empty()) return "node_cache: " + place;
@@ -205,6 +242,10 @@ Accounts Pipeline::accounts() const {
     for (std::uint32_t i = 0; i < caches_.size(); ++i) {
         if (!is_list_) add(Unit::node_cache, i & 7, caches_[i]);
         add(Unit::prim_cache, i >> 3, caches_[i]);
+    }
+    for (std::uint32_t i = 0; i < tex_cycles_.size(); ++i) {
+        add(Unit::tex_cache, i & 7, tex_cycles_[i]);
+        add(Unit::tex, i >> 3, tex_cycles_[i]);
     }
     for (std::uint32_t i = 0; i < xforms_.size(); ++i) add(Unit::xform, i, xforms_[i]);
     for (std::uint32_t i = 0; lower_.unit != upper_.unit && i < lowers_.size(); ++i)

@@ -8,6 +8,7 @@
 #include "model/mem/memport.hpp"
 #include "model/unit/sched/sched.hpp"
 #include "model/unit/shade/unit.hpp"
+#include "model/unit/tex/unit.hpp"
 #include "model/trace/trace.hpp"
 #include "model/unit/trav/trav.hpp"
 
@@ -17,11 +18,13 @@ namespace rayclock {
 /// caches (null if none), and flags that its caches' own requests are accepted.
 struct SharedMoves {
     const Tile* tile = nullptr;
-    const std::uint32_t *node_fill = nullptr, *prim_fill = nullptr, *surf_or_stream_fill = nullptr;
-    bool node_miss = false, prim_miss = false, surf_or_stream_miss = false;
+    const std::uint32_t *node_fill = nullptr, *prim_fill = nullptr, *surf_or_stream_fill = nullptr,
+                        *tex_fill = nullptr;
+    bool node_miss = false, prim_miss = false, surf_or_stream_miss = false, tex_miss = false;
     bool any() const {
         return (tile != nullptr) | (node_fill != nullptr) | (prim_fill != nullptr) |
-               (surf_or_stream_fill != nullptr) | node_miss | prim_miss | surf_or_stream_miss;
+               (surf_or_stream_fill != nullptr) | (tex_fill != nullptr) | node_miss | prim_miss |
+               surf_or_stream_miss | tex_miss;
     }
 };
 
@@ -62,18 +65,24 @@ public:
         return (feed_ != RayFeed::camera) & surf_or_stream_cache_.miss_valid();
     }
     Cache::Miss surf_or_stream_miss() const { return surf_or_stream_cache_.miss(); }
+    bool tex_miss_valid() const { return (feed_ == RayFeed::textured) & tex_cache_.miss_valid(); }
+    Cache::Miss tex_miss() const { return tex_cache_.miss(); }
     /// Returns the context on a link that carries one and fires.
     std::uint32_t ray_on(Link link) const { return moves_[inside(link)].ray; }
     /// True if something is to move between this pipeline and the shared units. `more`: there are tiles left.
     bool asks(bool more) const {
         return node_cache_.miss_valid() | prim_cache_.miss_valid() | surf_or_stream_miss_valid() |
-               (tile_ready() & more);
+               tex_miss_valid() | (tile_ready() & more);
     }
     Slot slot() const { return sched_.slot(); }
     const Slot& pixel(std::uint32_t ray) const { return sched_.pixel(ray); }
     std::uint32_t node_addr(std::uint32_t ray) const { return rays_[ray].head & Trace::node_mask; }
     std::uint32_t prim_addr(std::uint32_t ray) const { return *rays_[ray].at & Trace::prim_mask; }
     std::uint32_t surf_addr(std::uint32_t ray) const { return *rays_[ray].at & Trace::node_mask; }
+    /// Returns the line that tex requests for a ray.
+    std::uint32_t texel_addr(std::uint32_t ray) const {
+        return rays_[ray].at[moves_[Link::tex_req].fires ? -2 : -1] & Trace::node_mask;
+    }
     /// Returns the line of the record of a ray that a context is about to get.
     std::uint32_t record_addr(const Slot& slot) const {
         return first_ray_line_ + ((slot.y << pixel_bits_ | slot.x) >> 1);
@@ -85,6 +94,7 @@ public:
     CacheOutcome outcome(Unit cache) const {
         return cache == Unit::node_cache   ? node_outcome_
                : cache == Unit::prim_cache ? prim_outcome_
+               : cache == Unit::tex_cache  ? tex_outcome_
                                            : surf_or_stream_outcome_;
     }
     /// Returns the purpose of the ray that is being spawned. Call it while its transfer is observed.
@@ -105,6 +115,7 @@ public:
         units_[last_units_] += cycles;
         caches_[last_caches_] += cycles;
         if (feed_ != RayFeed::camera) surf_or_stream_cycles_[last_surf_or_stream_] += cycles;
+        if (feed_ == RayFeed::textured) tex_cycles_[last_tex_] += cycles;
         if (has_instances_) xforms_[last_xform_] += cycles, lowers_[last_lower_] += cycles;
     }
 
@@ -113,10 +124,17 @@ public:
     std::string where(std::uint32_t ray, std::uint64_t now) const;
 
 private:
-    /// The source of raygen's rays: the camera alone, the camera and shade, or records in memory.
-    enum class RayFeed : std::uint8_t { camera, shade, stream };
+    /// The source of raygen's rays: the camera alone, the camera and shade (with or without textures), or
+    /// records in memory.
+    enum class RayFeed : std::uint8_t { camera, shade, textured, stream };
+    static constexpr bool is_shaded(RayFeed feed) {
+        return feed == RayFeed::shade || feed == RayFeed::textured;
+    }
     static RayFeed feed_of(const Config& config) {
-        return config.is_stream() ? RayFeed::stream : config.shading ? RayFeed::shade : RayFeed::camera;
+        return config.is_stream()      ? RayFeed::stream
+               : config.has_textures() ? RayFeed::textured
+               : config.shading        ? RayFeed::shade
+                                       : RayFeed::camera;
     }
     /// Calls `f<feed, levels>()` for this pipeline's shape.
     template <class F> decltype(auto) with_shape(F&& f) const {
@@ -124,9 +142,10 @@ private:
             return has_instances_ ? f.template operator()<feed, true>()
                                   : f.template operator()<feed, false>();
         };
-        return feed_ == RayFeed::shade    ? levels.template operator()<RayFeed::shade>()
-               : feed_ == RayFeed::stream ? levels.template operator()<RayFeed::stream>()
-                                          : levels.template operator()<RayFeed::camera>();
+        return feed_ == RayFeed::shade      ? levels.template operator()<RayFeed::shade>()
+               : feed_ == RayFeed::textured ? levels.template operator()<RayFeed::textured>()
+               : feed_ == RayFeed::stream   ? levels.template operator()<RayFeed::stream>()
+                                            : levels.template operator()<RayFeed::camera>();
     }
     /// The position of a context's ray in the trace.
     struct TraceCursor {
@@ -151,7 +170,7 @@ private:
         bool placing = false;              // surf_cache's answer is an instance
         bool lower_request = false, lower_answer = false;   // box's links belong to the lower engine's unit
         std::uint32_t record = 0;                           // line of the record of sched's next ray
-        std::uint32_t shade_code = 0, xform_code = 0, lower_code = 0;   // codes of units.hpp
+        std::uint32_t shade_code = 0, xform_code = 0, lower_code = 0, tex_code = 0;   // codes of units.hpp
         const LinkInside& operator[](Link link) const { return links[index(link)]; }
         void offer(Link link, bool offered, bool ready, std::uint32_t ray) {
             links[index(link)] = {offered, bool(offered & ready), ray};
@@ -181,6 +200,7 @@ private:
                                       3 * node_cache_.has_misses_in_flight())];
     }
     template <RayFeed feed, bool levels> void settle(Moves& m, std::uint64_t now) const;
+    void settle_tex(Moves& m, std::uint64_t now) const;
     template <RayFeed feed, bool levels>
     void clock(const Moves& m, std::uint64_t now, const SharedMoves& shared);
     template <RayFeed feed, bool levels> bool step(std::uint64_t now, const SharedMoves& shared);
@@ -192,7 +212,7 @@ private:
     bool has_tests(std::uint32_t ray) const { return rays_[ray].head & Trace::tests_flag; }
     void enter(const LinkInside& change);
     bool has_more(std::uint32_t ray, bool tested);
-    Shade::Leave turn_of(std::uint32_t ray);
+    template <RayFeed feed, bool levels> Shade::Leave turn_of(std::uint32_t ray);
     template <RayFeed feed> void account_units(const Moves& m);
     void account_caches() {
         last_caches_ = std::uint32_t(node_outcome_) | std::uint32_t(prim_outcome_) << 3;
@@ -209,7 +229,8 @@ private:
     void clock_tri(const Moves& m, std::uint64_t now);
     void clock_surf_cache(const Moves& m, const SharedMoves& shared);
     void clock_stream(const Moves& m, const SharedMoves& shared);
-    template <bool levels> void clock_shade(const Moves& m, std::uint64_t now);
+    void clock_tex(const Moves& m, std::uint64_t now, const SharedMoves& shared);
+    template <RayFeed feed, bool levels> void clock_shade(const Moves& m, std::uint64_t now);
 
     RayFeed feed_;
     bool has_instances_;
@@ -239,12 +260,16 @@ private:
     bool delays_answers_;                          // node_answer_delay_ and tri_answer_delay_ are in use
     Cache surf_or_stream_cache_;
     Shade shade_;
+    Tex tex_;
+    Cache tex_cache_;
+    std::vector<bool> reads_texels_;   // [ray]: tex_cache's next answer for it has texels
     Merge raygen_link_;
     Sink sink_;
     std::vector<TraceCursor> rays_;
 
     Moves moves_{};   // of the settled cycle
-    CacheOutcome node_outcome_{}, prim_outcome_{}, surf_or_stream_outcome_{CacheOutcome::starved};
+    CacheOutcome node_outcome_{}, prim_outcome_{}, surf_or_stream_outcome_{CacheOutcome::starved},
+        tex_outcome_{CacheOutcome::starved};
     bool asleep_ = false;
 
     // Codes of units.hpp, by the progress of the item that the unit waits for: absent, on offer, accepted.
@@ -260,6 +285,8 @@ private:
     std::array<std::uint64_t, 1 << 11> units_{};
     std::array<std::uint64_t, 1 << 6> caches_{};
     std::array<std::uint64_t, 1 << 5> surf_or_stream_cycles_{};   // surf_cache and shade, or stream
+    std::uint32_t last_tex_ = 0;
+    std::array<std::uint64_t, 1 << 5> tex_cycles_{};   // tex_cache and tex
     std::uint32_t last_xform_ = 0;
     std::array<std::uint64_t, 3> xforms_{};
     std::uint32_t last_lower_ = 0;
@@ -275,8 +302,12 @@ template <class LookUp> void Pipeline::replay_reads(const std::uint32_t* at, Loo
             do look_up(prim_cache_, (*at & Trace::prim_mask) >> 1);
             while (!(*at++ & Trace::last_flag));
         }
-        if (feed_ != RayFeed::shade) return;
+        if (!is_shaded(feed_)) return;
         while (*at & Trace::place_flag) look_up(surf_or_stream_cache_, *at++ & Trace::node_mask);
+        if (*at & Trace::record_flag) {
+            look_up(tex_cache_, *at++ & Trace::node_mask);
+            look_up(tex_cache_, *at++ & Trace::node_mask);
+        }
         if (*at & Trace::surface_flag) look_up(surf_or_stream_cache_, *at & Trace::node_mask);
         if (*at & Trace::pixel_flag) return;
         at += 2;

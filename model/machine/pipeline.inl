@@ -7,7 +7,7 @@ namespace rayclock {
 // Nearly without branches: see ring.hpp. When a link is idle, its ray number is that of an arbitrary context.
 template <Pipeline::RayFeed feed, bool levels>
 [[gnu::always_inline]] inline void Pipeline::settle(Moves& m, std::uint64_t now) const {
-    constexpr bool shades = feed == RayFeed::shade, streams = feed == RayFeed::stream;
+    constexpr bool shades = is_shaded(feed), streams = feed == RayFeed::stream;
     // A transfer leaves one unit and enters another, so it is recorded before either gets its clock edge.
     const bool camera = !shades || raygen_link_.second(shade_.spawn_valid());
     const bool begins = raygen_.ready() & (raygen_hold_left_ == 0);
@@ -60,14 +60,26 @@ template <Pipeline::RayFeed feed, bool levels>
         m.offer(Link::spawn, shade_.spawn_valid(), begins & !camera, shade_.spawn_ray());
         m.shade_code = shade_.code(surf_or_stream_cache_.valid() & !m.placing,
                                    surf_or_stream_cache_.has_misses_in_flight());
+        if constexpr (feed == RayFeed::textured) settle_tex(m, now);
     } else {
         m.offer(Link::hit, trav_.done_valid(), sink_.ready(), trav_.done_ray());
     }
 }
 
+inline void Pipeline::settle_tex(Moves& m, std::uint64_t now) const {
+    const bool texels = tex_.requests_texels(), ready = tex_cache_.ready();
+    m.offer(Link::tex_req, shade_.texture_valid(), ready & !texels, shade_.texture_ray());
+    m.offer(Link::texel_req, shade_.texture_valid() | tex_.texels_wait(), ready,
+            select(texels, tex_.texel_ray(), shade_.texture_ray()));
+    m.offer(Link::texel_rsp, tex_cache_.valid(), true, tex_cache_.answer());
+    const LinkRay filtered = tex_.answer(now);
+    m.offer(Link::tex_rsp, filtered.valid, true, filtered.ray);
+    m.tex_code = m[Link::texel_rsp].valid ? 0 : tex_cache_.has_misses_in_flight() ? 1 : 2;
+}
+
 template <Pipeline::RayFeed feed> [[gnu::always_inline]] inline void Pipeline::account_units(const Moves& m) {
     const auto progress = [&m](Link link) { return m[link].valid + m[link].fires; };
-    constexpr bool shades = feed == RayFeed::shade;
+    constexpr bool shades = is_shaded(feed);
     constexpr Link first = feed == RayFeed::stream ? Link::record : Link::slot;
     const bool asked = m[first].valid | (shades && m[Link::spawn].valid),
                begun = m[first].fires | (shades && m[Link::spawn].fires);
@@ -119,7 +131,7 @@ template <Pipeline::RayFeed feed>
         cursor.at = ray_at(*trace_, given.x, given.y);
         cursor.head = *cursor.at;
     }
-    if constexpr (feed == RayFeed::shade) {
+    if constexpr (is_shaded(feed)) {
         const bool second = raygen_link_.second(shade_.spawn_valid());
         raygen_link_.clock(shade_.spawn_valid() | sched_.slot_valid(), slot | m[Link::spawn].fires, second);
     }
@@ -130,7 +142,7 @@ template <Pipeline::RayFeed feed>
 template <Pipeline::RayFeed feed>
 [[gnu::always_inline]] inline void Pipeline::clock_raygen(const Moves& m, std::uint64_t now) {
     LinkRay in = m[feed == RayFeed::stream ? Link::record : Link::slot];
-    if constexpr (feed == RayFeed::shade) {
+    if constexpr (is_shaded(feed)) {
         const LinkInside& spawn = m[Link::spawn];
         in = {bool(in.valid | spawn.fires), select(spawn.fires, spawn.ray, in.ray)};
     }
@@ -146,7 +158,7 @@ template <Pipeline::RayFeed feed, bool levels>
                          {bool(m.node_answer.valid & !m[Link::leaves].fires), m.node_answer.ray},
                          {tested.valid, tested.ray},
                          is_list_ ? m.node_answer.valid : m[Link::node_req].fires,
-                         m[feed == RayFeed::shade ? Link::closest : Link::hit].fires,
+                         m[is_shaded(feed) ? Link::closest : Link::hit].fires,
                          levels ? LinkRay(m[Link::change]) : LinkRay{}},
                         [this](std::uint32_t ray, bool valid) { return decide(ray, valid); });
 }
@@ -221,12 +233,18 @@ template <Pipeline::RayFeed feed, bool levels>
         asleep_ = asleep_ & !m.any(Link::record) & (surf_or_stream_outcome_ > CacheOutcome::drain) &
                   !surf_or_stream_cache_.loaded();
     }
-    if constexpr (feed == RayFeed::shade) {
+    if constexpr (is_shaded(feed)) {
         asleep_ = asleep_ & !shade_.answers(now) & !shade_.offers(false) & !shade_.is_occupied() &
                   !shade_.comes() & !m.any(Link::closest, Link::surf_req, Link::surf_rsp, Link::spawn);
         clock_surf_cache(m, shared);
-        clock_shade<levels>(m, now);
+        clock_shade<feed, levels>(m, now);
         asleep_ = asleep_ & (surf_or_stream_outcome_ > CacheOutcome::drain) & !surf_or_stream_cache_.loaded();
+        if constexpr (feed == RayFeed::textured) {
+            asleep_ = asleep_ & tex_.is_idle(now) &
+                      !m.any(Link::tex_req, Link::texel_req, Link::texel_rsp, Link::tex_rsp);
+            clock_tex(m, now, shared);
+            asleep_ = asleep_ & (tex_outcome_ > CacheOutcome::drain) & !tex_cache_.loaded();
+        }
     }
 }
 

@@ -29,7 +29,8 @@ constexpr Cause stalled(const char* by) { return {CauseKind::stalled, by}; }
 /// When a part of the machine exists.
 enum class Presence : std::uint8_t {
     always,
-    shade,    // the unit shade and its cache
+    shade,   // the unit shade and its cache
+    textures,
     stream,   // rays from records
     shared_cache,
     nodes,
@@ -41,6 +42,7 @@ enum class Presence : std::uint8_t {
 constexpr bool is_there(Presence when, const Config& config) {
     switch (when) {
         case Presence::shade: return config.has_shade();
+        case Presence::textures: return config.has_textures();
         case Presence::stream: return config.is_stream();
         case Presence::shared_cache: return config.l2_sets > 0;
         case Presence::nodes: return !config.is_list();
@@ -78,6 +80,8 @@ enum class UnitPlace : std::uint8_t { pipeline, engine, shared, outside };
     UNIT(tri, pipeline, always, busy(), starved("memory"), starved("list"), stalled("list"))           \
     UNIT(surf_cache, pipeline, shade, RAYCLOCK_CACHE_CAUSES("shade", "shade"))                         \
     UNIT(shade, pipeline, shade, busy(), starved("memory"), starved("list"), stalled("queue"))         \
+    UNIT(tex, pipeline, textures, busy(), starved("memory"), starved("shade"))                         \
+    UNIT(tex_cache, pipeline, textures, RAYCLOCK_CACHE_CAUSES("tex", "tex"))                           \
     UNIT(xform, engine, instances, busy(), starved("memory"), starved("trav"))                         \
     UNIT(stream, pipeline, stream, RAYCLOCK_CACHE_CAUSES("sched", "raygen"))                           \
     UNIT(dispatch, shared, always, busy(), starved("frame"), stalled("sched"))                         \

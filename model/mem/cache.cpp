@@ -27,6 +27,9 @@ CacheShape surf_cache_shape(const Config& c) {
 CacheShape stream_cache_shape(const Config& c) {
     return shape(c, c.stream_sets, c.stream_ways, c.stream_line, c.stream_mshrs, c.ray_bits());
 }
+CacheShape tex_cache_shape(const Config& c) {
+    return shape(c, c.tex_sets, c.tex_ways, c.tex_line, c.tex_mshrs, c.ray_bits());
+}
 CacheShape l2_shape(const Config& c) {
     return shape(c, c.l2_sets, c.l2_ways, c.l2_line, c.l2_mshrs, c.client_id_bits());
 }

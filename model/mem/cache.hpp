@@ -23,6 +23,7 @@ CacheShape node_cache_shape(const Config& config);
 CacheShape prim_cache_shape(const Config& config);
 CacheShape surf_cache_shape(const Config& config);
 CacheShape stream_cache_shape(const Config& config);
+CacheShape tex_cache_shape(const Config& config);
 CacheShape l2_shape(const Config& config);
 
 /// The outcome of a cache in a cycle.

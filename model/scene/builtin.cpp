@@ -37,7 +37,7 @@ template <Scene (*make)(int, Primitives, int)> Scene usual_form(int size, Primit
     return make(size, p, cone_sectors);
 }
 
-constexpr std::array<Builtin, 21> built_in_scenes{{
+constexpr std::array<Builtin, 22> built_in_scenes{{
     {"balls", 3, 5, "sphereflake: spheres of many sizes on a floor", balls_counts, make_balls},
     {"gears", 4, 25, "interlocked gears: hard-edged parts, half of them hidden",
      all_triangles<gears_triangles>, one_form<make_gears>},
@@ -66,6 +66,8 @@ constexpr std::array<Builtin, 21> built_in_scenes{{
      one_form<make_cube>},
     {"square", 1, 1, "white square on black, slightly turned: how edges look",
      all_triangles<square_triangles>, one_form<make_square>},
+    {"room", 1, 1, "room of pictures: textures in all modes, near, far and in a mirror",
+     all_triangles<room_triangles>, one_form<make_room>},
     {"gearbox", 4, 25, "the gears again, placed: one gear and its instances", all_triangles<gears_triangles>,
      one_flat_form<make_gearbox>},
     {"flake", 3, 5, "the balls again, placed: one ball and its instances", all_triangles<flake_triangles>,

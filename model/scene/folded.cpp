@@ -34,6 +34,8 @@ PlacedTriangle InstancedTriangles::operator()(std::uint32_t primitive) const {
             if (out.is_smooth) out.normals[k] = mesh.normals[triangle.vertex[k]];
         }
         out.material = triangle.material;
+        if (!mesh.coordinates.empty())
+            out.coordinates = mesh.coordinates[std::size_t(&triangle - mesh.triangles.data())];
     };
     if (primitive < scene_.own.triangles.size()) {
         take(scene_.own, scene_.own.triangles[primitive]);
@@ -53,7 +55,10 @@ PlacedTriangle InstancedTriangles::operator()(std::uint32_t primitive) const {
         const glm::dvec3 turned = unit_or_zero((is_mirrored ? -1.0 : 1.0) * (cofactors * normal));
         if (turned != glm::dvec3(0)) normal = turned;
     }
-    if (is_mirrored) std::swap(out.vertices[1], out.vertices[2]), std::swap(out.normals[1], out.normals[2]);
+    if (is_mirrored) {
+        std::swap(out.vertices[1], out.vertices[2]), std::swap(out.normals[1], out.normals[2]);
+        std::swap(out.coordinates[1], out.coordinates[2]);
+    }
     return out;
 }
 
@@ -72,6 +77,7 @@ void check_folded(const Scene& scene, const std::string& where) {
     const auto check = [&](const auto& mesh) {
         Scene alone;
         alone.vertices = mesh.vertices, alone.normals = mesh.normals, alone.triangles = mesh.triangles;
+        alone.coordinates = mesh.coordinates, alone.textures = placed.own.textures;
         alone.materials = placed.own.materials, alone.lights = placed.own.lights, alone.camera = scene.camera;
         check_scene(alone, where);
     };

@@ -24,6 +24,7 @@ inline std::uint64_t triangle_count(const Scene& scene) {
 struct PlacedTriangle {
     std::array<glm::dvec3, 3> vertices{};
     std::array<glm::dvec3, 3> normals{};   ///< unit vectors; 0 if the scene has none
+    CornerCoordinates coordinates{};       ///< 0 if the mesh has none
     bool is_smooth = false;
     std::uint32_t material = 0;
 };

@@ -42,7 +42,7 @@ void finish(ShadedPoint& point, const glm::dvec3& eye, const glm::dvec3& outside
 /// vanishes. The order of the vertices decides which side is outside. If the sum of the corner normals points
 /// inwards, all three are turned.
 ShadedPoint on_triangle(const Scene& scene, const PlacedTriangle& triangle, const Hit& hit,
-                        const glm::dvec3& eye) {
+                        const glm::dvec3& eye, double spread) {
     const auto& [a, b, c] = triangle.vertices;
     const double v1 = hit.u, v2 = hit.v, v0 = 1 - v1 - v2;
     ShadedPoint point;
@@ -57,6 +57,13 @@ ShadedPoint on_triangle(const Scene& scene, const PlacedTriangle& triangle, cons
                    is_back = glm::dot(outside, point.to_eye) < 0;
         const glm::dvec3 smooth = v0 * n[0] + v1 * n[1] + v2 * n[2];
         point.normal = unit_or(is_turned != is_back ? -smooth : smooth, point.normal);
+    }
+    if (point.material->texture) {
+        const Texture& texture = scene.textures[*point.material->texture];
+        const auto& [p, q, r] = triangle.coordinates;
+        const double lod = level_of_detail(texture_detail(texture, triangle.vertices, triangle.coordinates),
+                                           hit.depth, spread, glm::dot(point.normal, point.to_eye));
+        point.colour *= filtered(texture, v0 * p + v1 * q + v2 * r, level_of(texture, lod));
     }
     return point;
 }
@@ -91,6 +98,7 @@ PlacedTriangle triangle_of(const Scene& scene, std::uint32_t number) {
     PlacedTriangle out;
     out.is_smooth = !scene.normals.empty();
     out.material = triangle.material;
+    if (!scene.coordinates.empty()) out.coordinates = scene.coordinates[number];
     for (std::size_t k = 0; k < 3; ++k) {
         out.vertices[k] = scene.vertices[triangle.vertex[k]];
         if (out.is_smooth) out.normals[k] = scene.normals[triangle.vertex[k]];
@@ -99,10 +107,11 @@ PlacedTriangle triangle_of(const Scene& scene, std::uint32_t number) {
 }
 
 ShadedPoint surface_point(const Scene& scene, const InstancedTriangles* instanced, const Hit& hit,
-                          const glm::dvec3& eye, const glm::dvec3& direction) {
-    if (instanced) return on_triangle(scene, (*instanced)(hit.primitive), hit, eye);
+                          const glm::dvec3& eye, const glm::dvec3& direction, double spread) {
+    if (instanced) return on_triangle(scene, (*instanced)(hit.primitive), hit, eye, spread);
     const std::size_t triangles = scene.triangles.size(), spheres = scene.spheres.size();
-    if (hit.primitive < triangles) return on_triangle(scene, triangle_of(scene, hit.primitive), hit, eye);
+    if (hit.primitive < triangles)
+        return on_triangle(scene, triangle_of(scene, hit.primitive), hit, eye, spread);
     if (hit.primitive < triangles + spheres)
         return on_sphere(scene, scene.spheres[hit.primitive - triangles], hit, eye, direction);
     return on_plane(scene, scene.planes.at(hit.primitive - triangles - spheres), hit, eye);
@@ -132,6 +141,7 @@ Picture shade(const Scene& scene, const HitFrame& frame, const Progress& progres
     const glm::dvec3 eye = scene.camera->eye;
     const std::optional<InstancedTriangles> instanced =
         is_folded(scene) ? std::make_optional<InstancedTriangles>(*scene.placed) : std::nullopt;
+    const double spread = sample_spread(scene.camera->fov_degrees, frame.size.height, 1);
     const PixelRays rays = !scene.spheres.empty() ? pixel_rays(*scene.camera, frame.size) : PixelRays{};
     Picture picture{frame.size, std::vector<glm::vec3>(frame.hits.size(), glm::vec3(scene.background))};
     std::mutex reporting;
@@ -143,7 +153,7 @@ Picture shade(const Scene& scene, const HitFrame& frame, const Progress& progres
             if (hit.primitive == no_primitive) continue;
             const glm::dvec3 direction = rays.direction(static_cast<double>(i - begin), y);
             picture.pixels[i] = glm::vec3(colour_at(
-                scene, surface_point(scene, instanced ? &*instanced : nullptr, hit, eye, direction)));
+                scene, surface_point(scene, instanced ? &*instanced : nullptr, hit, eye, direction, spread)));
         }
         if (!progress) return;
         const std::lock_guard lock(reporting);

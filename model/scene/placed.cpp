@@ -22,7 +22,7 @@ template <class Item> void make_room(std::vector<Item>& list, std::size_t more) 
     if (list.size() + more > list.capacity()) list.reserve(std::max(list.size() + more, 2 * list.size()));
 }
 
-/// `Part` has vertices, normals and triangles: a Scene or a SharedMesh.
+/// `Part` has vertices, normals, triangles and coordinates: a Scene or a SharedMesh.
 template <class Part> void append_triangles(Scene& scene, const Part& part, const glm::dmat4& place,
                                             std::optional<std::uint32_t> material,
                                             std::uint32_t material_base) {
@@ -42,6 +42,15 @@ template <class Part> void append_triangles(Scene& scene, const Part& part, cons
         for (const glm::dvec3& n : part.normals) {
             const glm::dvec3 turned = unit_or_zero((volume < 0 ? -1.0 : 1.0) * (cofactors * n));
             scene.normals.push_back(turned == glm::dvec3(0) ? n : turned);
+        }
+    }
+    if (!part.coordinates.empty() || !scene.coordinates.empty()) {
+        make_room(scene.coordinates, scene.triangles.size() + part.triangles.size());
+        scene.coordinates.resize(scene.triangles.size());
+        for (std::size_t i = 0; i < part.triangles.size(); ++i) {
+            CornerCoordinates corners = part.coordinates.empty() ? CornerCoordinates{} : part.coordinates[i];
+            if (volume < 0) std::swap(corners[1], corners[2]);
+            scene.coordinates.push_back(corners);
         }
     }
     for (Triangle t : part.triangles) {

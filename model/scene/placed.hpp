@@ -17,8 +17,9 @@ namespace rayclock {
 struct SharedMesh {
     std::string name;
     std::vector<glm::dvec3> vertices;
-    std::vector<glm::dvec3> normals;   ///< as in Scene
-    std::vector<Triangle> triangles;   ///< with the scene's materials
+    std::vector<glm::dvec3> normals;                ///< as in Scene
+    std::vector<Triangle> triangles;                ///< with the scene's materials
+    std::vector<CornerCoordinates> coordinates{};   ///< as in Scene
 };
 
 /// A mesh in its place.
@@ -66,7 +67,8 @@ Scene flat_copy(const PlacedScene& scene);
 /// Appends the part's primitives moved by `place`, which must keep angles if there are spheres. A mirror
 /// image is turned inside out again; normals follow the inverse transpose. All primitives get `material`, or
 /// the part's own plus `material_base`. Both scenes must have normals or neither, unless `scene` is still
-/// empty. Throws UserError beyond 2^32 - 1 vertices.
+/// empty. Where only one of them has texture coordinates, those of the other are 0. The caller appends
+/// materials and textures. Throws UserError beyond 2^32 - 1 vertices.
 void append(Scene& scene, const Scene& part, const glm::dmat4& place, std::optional<std::uint32_t> material,
             std::uint32_t material_base);
 

@@ -73,6 +73,31 @@ struct Judge {
         }
     }
 
+    void textures() const {
+        for (const Texture& texture : scene.textures)
+            if (!texture.pyramid || texture.pyramid->levels.empty())
+                refuse("the texture " + shown(texture.name) + " has no picture");
+        for (std::size_t i = 0; i < scene.materials.size(); ++i)
+            if (const auto texture = scene.materials[i].texture; texture && *texture >= scene.textures.size())
+                index("material", i, "texture", *texture, scene.textures.size());
+        if (scene.coordinates.empty()) {
+            for (std::size_t i = 0; i < scene.triangles.size(); ++i)
+                if (scene.materials[scene.triangles[i].material].texture)
+                    refuse(numbered("triangle", i) + " has a texture and no coordinates on it");
+            return;
+        }
+        if (scene.coordinates.size() != scene.triangles.size())
+            refuse("there are coordinates of " + std::to_string(scene.coordinates.size()) +
+                   " triangles, and there are " + std::to_string(scene.triangles.size()));
+        for (std::size_t i = 0; i < scene.coordinates.size(); ++i)
+            for (const glm::dvec2& corner : scene.coordinates[i])
+                for (const double x : {corner.x, corner.y})
+                    if (!(std::abs(x) <= most_coordinate))
+                        refuse(numbered("triangle", i) + " has the texture coordinate " + text_of(x) +
+                               ", which must lie within -" + text_of(most_coordinate) + " and " +
+                               text_of(most_coordinate));
+    }
+
     void spheres() const {
         for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
             const Sphere& s = scene.spheres[i];
@@ -198,6 +223,7 @@ void check_scene(const Scene& scene, const std::string& where) {
     judge.planes();
     judge.extent();
     judge.materials();
+    judge.textures();
     judge.lights();
     if (scene.camera) view_of(*scene.camera, where);
 }

@@ -10,6 +10,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "model/scene/texture.hpp"
+
 namespace rayclock {
 
 /// Surface of a primitive, in the terms of Haines' NFF (spd: R G B Kd Ks shine T index).
@@ -27,6 +29,12 @@ struct Material {
     glm::dvec3 other{0.2};
     /// Fresnel's term weights `mirror` and `transmit`, in the approximation of Schlick 1994.
     bool schlick = false;
+    /// Index into Scene::textures: the picture multiplies `colour` on triangles. On spheres and planes it is
+    /// not drawn; a loader gives them a material in the picture's average colour.
+    std::optional<std::uint32_t> texture{};
+    /// A triangle has a hole where its texture's alpha is less. 0: it has none. Only finished pictures show
+    /// holes, and shadows are those of whole triangles.
+    double cutoff = 0;
 };
 
 /// Point light without attenuation; `colour` is its strength (spd: 1/sqrt(number of lights)).
@@ -72,9 +80,12 @@ struct Scene {
     std::vector<glm::dvec3> vertices;
     std::vector<glm::dvec3> normals;   ///< unit vertex normals, or empty: flat shading everywhere
     std::vector<Triangle> triangles;
+    /// (s, t) of the corners of each triangle, or empty: no triangle has a texture.
+    std::vector<CornerCoordinates> coordinates;
     std::vector<Sphere> spheres;
     std::vector<Plane> planes;
     std::vector<Material> materials;
+    std::vector<Texture> textures;
     std::vector<Light> lights;
     std::optional<Camera> camera;   ///< if absent, fit_camera() finds one
     glm::dvec3 background{0.078, 0.361, 0.753};
@@ -99,8 +110,9 @@ constexpr double most_light = 16;   ///< largest component of a light's colour
 
 /// Throws UserError unless the scene can be traced. It needs primitives and materials, and indices in range.
 /// Coordinates must be finite, radii above 0, and sides of planes not parallel. Colours and weights must lie
-/// within 0 and 1. A refractive index must be above 0 if the material transmits. The camera must have a view,
-/// with an angle in (0, 180). A scene may have no light. `where` begins the sentence.
+/// within 0 and 1. A refractive index must be above 0 if the material transmits. Textured triangles must have
+/// coordinates within most_coordinate. The camera must have a view, with an angle in (0, 180). A scene may
+/// have no light. `where` begins the sentence.
 void check_scene(const Scene& scene, const std::string& where);
 
 /// Returns a camera that sees the whole scene from front, right and above, and looks at the middle of its

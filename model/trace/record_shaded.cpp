@@ -21,10 +21,17 @@ std::size_t ShadedRecorder::pixel(std::uint32_t x, std::uint32_t y, std::size_t 
         const std::uint32_t place = surface && config_.has_homes() ? shader_.placement_line() : 0;
         const std::uint32_t material = surface ? shader_.material_line() : 0;
         const auto passes = std::uint32_t(shader_.run());
-        if (scratch.words.size() < at + 4) scratch.words.resize(2 * scratch.words.size() + 4);
+        const Shader::Texture* texture = shader_.texture();
+        constexpr std::size_t most = 6;   // words after a ray
+        if (scratch.words.size() < at + most) scratch.words.resize(2 * scratch.words.size() + most);
         if (place != 0) scratch.words[at++] = place | Trace::place_flag;
         if (material != 0) scratch.words[at++] = material | Trace::place_flag;
-        scratch.words[at++] = line | (shader_.is_finished() ? Trace::pixel_flag : purpose_word(shader_));
+        if (texture) {
+            scratch.words[at++] = texture->request.record | Trace::record_flag;
+            scratch.words[at++] = texture->place.line;
+        }
+        scratch.words[at++] = line | (texture ? Trace::texture_flag : 0) |
+                              (shader_.is_finished() ? Trace::pixel_flag : purpose_word(shader_));
         scratch.words[at++] = passes;
         spawn = shader_.spawn();
     } while (!shader_.is_finished());

@@ -34,7 +34,8 @@ public:
 /// of the surface to read (if the flag is set). It also holds a flag for a finished pixel, or the purpose of
 /// the next ray. The second is the number of passes through shade that follow. With instances, a word with
 /// the line of the instance hit comes before these two. If all its primitives share a material, another word
-/// holds the material's line.
+/// holds the material's line. If the surface has a texture, two more words come next: the lines of its record
+/// (marked) and of its texels. The surface's word then has a flag.
 struct Trace {
     static constexpr std::uint32_t tests_flag = 1u << 24;   ///< triangle words follow
     static constexpr std::uint32_t end_flag = 1u << 25;     ///< the ray is done after this visit
@@ -45,8 +46,10 @@ struct Trace {
     /// Marks a word with the line of an instance or of its material.
     static constexpr std::uint32_t place_flag = 1u << 31;
     static constexpr std::uint32_t surface_flag = 1u << 24,
-                                   pixel_flag = 1u << 25;   ///< of the word after a ray
-    static constexpr int purpose_shift = 26;                ///< in the same word: RayPurpose of the next ray
+                                   pixel_flag = 1u << 25,    ///< of the word after a ray
+        texture_flag = 1u << 28;                             ///< in the same word: a texture is read
+    static constexpr std::uint32_t record_flag = 1u << 30;   ///< marks the word of a texture record
+    static constexpr int purpose_shift = 26;                 ///< in the same word: RayPurpose of the next ray
     static constexpr std::uint32_t node_mask = (1u << max_addr_bits) - 1,
                                    prim_mask = (2u << max_addr_bits) - 1;
 

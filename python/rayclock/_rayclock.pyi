@@ -78,6 +78,10 @@ class Config:
     """Units that only some scenes need: 1: bounces that pass by the lattice meet planes beyond it."""
     supersampling: bool
     """Units that only some scenes need: 1: several samples in a pixel."""
+    textures: bool
+    """Units that only some scenes need: 1: image textures on triangles."""
+    texels: str
+    """Units that only some scenes need: format of texels: rgb888 with 8 bits of alpha, rgb565 with one bit."""
     lights: int
     """Units that only some scenes need: most point lights."""
     bounces: int
@@ -142,6 +146,14 @@ class Config:
     """Caches: cache of ray records: line size, which is the length of a burst."""
     stream_mshrs: int
     """Caches: cache of ray records: misses in flight."""
+    tex_sets: int
+    """Caches: texture cache of a pipeline: sets."""
+    tex_ways: int
+    """Caches: texture cache: ways."""
+    tex_line: int
+    """Caches: texture cache: line size."""
+    tex_mshrs: int
+    """Caches: texture cache: misses in flight."""
     l2_sets: int
     """Caches: cache that all pipelines share: sets; 0: no such cache."""
     l2_ways: int

@@ -40,7 +40,7 @@ module rc_counters #(
         .clk_i, .count_i, .cause_i(causes_i[k*CauseBits +: CauseBits]), .clear_i,
         .at_i(which_cause), .count_o(count));
 
-      assign there[k]                         = which_unit == {4'(Group), 4'(Unit)};
+      assign there[k]                         = which_unit == {4'(Group), 5'(Unit)};
       assign counts[k*TallyBits +: TallyBits] = there[k] ? count : '0;
     end else begin : gen_none
       assign there[k]                         = 1'b0;

@@ -32,7 +32,7 @@ struct ChipOptions {
     std::vector<std::string> units;
     std::string device = "lfe5u-85", seeds = "1", output, scene, size = default_size;
     MethodOptions methods;
-    bool fast = false, fresh = false;
+    bool fast = false, fresh = false, no_textures = false;
     JsonOutput json;
 };
 
@@ -48,6 +48,7 @@ void declare_chip(Parser& parser, ChipOptions& o) {
                 "estimate the chip from its units instead of routing it; route them first with --unit");
     parser.option("--scene", o.scene,
                   "build only the optional units that this scene needs, and print its frames per second");
+    textures_option(parser, o.no_textures);
     size_option(parser, o.size);
     parser.option("-o,--output", o.output, "folder for the report and pictures of the placement");
     fresh_option(parser, o.fresh);
@@ -139,7 +140,9 @@ ChipRequest asked_of(const ChipOptions& o, const Progress& progress) {
     if (o.scene.empty()) {
         asked.config = load_config(o.config);
     } else {
-        asked.scene = request_of(o.scene, o.config, {}, default_seed, asked.size, progress);
+        ViewChoice view;
+        view.no_textures = o.no_textures;
+        asked.scene = request_of(o.scene, o.config, {}, default_seed, asked.size, progress, view);
         Config& config = asked.scene->config;
         if (config.shading)
             config = with_settings(fitted_config(asked.scene->scene, asked.scene->settings, config),

@@ -247,7 +247,7 @@ int run(int argc, char** argv) {
         if (e.get_exit_code() == 0) {   // --help, --version
             std::ostringstream text;
             const int code = app.exit(e, text, text);
-            std::fputs(text.str().c_str(), stdout);
+            write_output(text.str());
             return code;
         }
         return complain(usage_error(e, commands, argc, argv), 2);

@@ -12,6 +12,7 @@
 #include "sim/load/json/scene.hpp"
 #include "sim/load/lights.hpp"
 #include "sim/load/mesh/mesh_file.hpp"
+#include "sim/load/textures.hpp"
 #include "sim/files/text.hpp"
 
 namespace rayclock {
@@ -60,10 +61,12 @@ Scene folded_scene(JsonLoad load, const std::string& where) {
 }   // namespace
 
 Scene load_scene(const std::string& spec, const Progress& progress, Primitives primitives,
-                 std::vector<std::string>* notes) {
-    Loading loading(progress, {}, average_colour);
+                 std::vector<std::string>* notes, Textures textures) {
+    Loading loading(progress, {}, average_colour,
+                    textures == Textures::drawn ? decoded_picture : DecodePicture{});
     try {
         JsonLoad load = load_anything(spec, primitives, loading);
+        settle_textures(load.scene, printable(spec), loading);
         if (notes) *notes = loading.notes();
         if (primitive_count(load.scene) > most_unfolded)
             return folded_scene(std::move(load), printable(spec));

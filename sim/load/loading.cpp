@@ -38,6 +38,15 @@ std::optional<glm::vec4> Loading::average(const std::string& bytes, std::string&
     }
 }
 
+std::optional<TexelLevel> Loading::picture(const std::string& bytes, std::string& why) const {
+    try {
+        return decode_(bytes);
+    } catch (const std::runtime_error& error) {
+        why = printable(error.what(), 200);
+        return std::nullopt;
+    }
+}
+
 bool Loading::may_make(const Scene& part) { return may_make(bytes_of(part)); }
 
 std::string Loading::too_much() const {
@@ -84,13 +93,14 @@ bool leaves_folder(const std::filesystem::path& name) {
 
 std::uint64_t bytes_of(const Scene& scene) {
     return sizeof(glm::dvec3) * (scene.vertices.size() + scene.normals.size()) +
-           sizeof(Triangle) * scene.triangles.size() + sizeof(Sphere) * scene.spheres.size() +
-           sizeof(Plane) * scene.planes.size() + sizeof(Material) * scene.materials.size();
+           sizeof(Triangle) * scene.triangles.size() + sizeof(CornerCoordinates) * scene.coordinates.size() +
+           sizeof(Sphere) * scene.spheres.size() + sizeof(Plane) * scene.planes.size() +
+           sizeof(Material) * scene.materials.size();
 }
 
 std::uint64_t bytes_of(const SharedMesh& mesh) {
     return sizeof(glm::dvec3) * (mesh.vertices.size() + mesh.normals.size()) +
-           sizeof(Triangle) * mesh.triangles.size();
+           sizeof(Triangle) * mesh.triangles.size() + sizeof(CornerCoordinates) * mesh.coordinates.size();
 }
 
 std::uint64_t bytes_of(const PlacedScene& scene) {

@@ -32,13 +32,19 @@ struct Allowance {
 /// Returns the mean of a picture's texels (linear red, green, blue, and opacity) from the bytes of its file.
 /// Throws std::runtime_error with the reason if the picture cannot be read.
 using AverageColour = std::function<glm::vec4(const std::string& bytes)>;
+/// Decodes a picture. Throws std::runtime_error with the reason if it cannot be read.
+using DecodePicture = std::function<TexelLevel(const std::string& bytes)>;
 
 /// Progress, allowance and notes of one load. Not safe to share between threads.
 class Loading {
 public:
-    /// The caller must keep `progress` alive.
-    explicit Loading(const Progress& progress, Allowance allowance = {}, AverageColour average = {})
-        : progress_(progress), allowance_(allowance), average_(std::move(average)) {}
+    /// The caller must keep `progress` alive. Without `decode`, textures are drawn in their average colour.
+    explicit Loading(const Progress& progress, Allowance allowance = {}, AverageColour average = {},
+                     DecodePicture decode = {})
+        : progress_(progress),
+          allowance_(allowance),
+          average_(std::move(average)),
+          decode_(std::move(decode)) {}
     const Progress& progress() const { return progress_; }
     void report_progress(std::string_view what, std::uint64_t done, std::uint64_t total) const {
         if (progress_) progress_(what, done, total);
@@ -49,6 +55,10 @@ public:
 
     /// Returns the mean of a texture. Returns nothing, with the reason in `why`, if it cannot be read.
     std::optional<glm::vec4> average(const std::string& bytes, std::string& why) const;
+    /// Returns true if the load draws pictures on triangles, false if it draws their average colours.
+    bool draws_textures() const { return bool(decode_); }
+    /// Returns a decoded picture. Returns nothing, with the reason in `why`, if it cannot be read.
+    std::optional<TexelLevel> picture(const std::string& bytes, std::string& why) const;
 
     /// Charges bytes before they are made. Returns false if the files do not allow that many; the caller then
     /// throws UserError with the sentence too_much().
@@ -67,6 +77,7 @@ private:
     const Progress& progress_;
     Allowance allowance_;
     AverageColour average_;
+    DecodePicture decode_;
     std::uint64_t read_ = 0, made_ = 0;
     std::vector<std::string> notes_;
     std::unordered_set<std::string> noted_;   ///< the sentences in `notes_`, for searching

@@ -107,19 +107,47 @@ void PartBuilder::add(const Corner& a, const Corner& b, const Corner& c, std::ui
             corner.normal = tidy(facet_normal(a.position, b.position, c.position));
         triangle.vertex[i] = vertex(corner);
     }
+    add_coordinates({a.st, b.st, c.st});
     part_.triangles.push_back(triangle);
+}
+
+/// Keeps coordinates from the first triangle on that has some.
+void PartBuilder::add_coordinates(const CornerCoordinates& corners) {
+    const bool has_some =
+        std::any_of(corners.begin(), corners.end(), [](const glm::dvec2& st) { return !std::isnan(st.x); });
+    if (!has_some && part_.coordinates.empty()) return;
+    part_.coordinates.resize(part_.triangles.size(), {no_coordinates, no_coordinates, no_coordinates});
+    part_.coordinates.push_back(corners);
+}
+
+void append_part(Scene& scene, const Scene& part, const glm::dmat4& place,
+                 std::optional<std::uint32_t> material, std::uint32_t material_base) {
+    const std::size_t before = scene.triangles.size();
+    const bool had = !scene.coordinates.empty();
+    append(scene, part, place, material, material_base);
+    if (scene.coordinates.empty()) return;
+    const auto known = scene.coordinates.begin() + std::ptrdiff_t(before);
+    constexpr CornerCoordinates none{no_coordinates, no_coordinates, no_coordinates};
+    if (!had) std::fill(scene.coordinates.begin(), known, none);
+    if (part.coordinates.empty()) std::fill(known, scene.coordinates.end(), none);
 }
 
 void make_smooth(Scene& part) {
     if (!part.normals.empty()) return;
     PartBuilder builder(part.triangles.size(), true);
-    for (const Triangle& t : part.triangles)
-        builder.add({part.vertices[t.vertex[0]]}, {part.vertices[t.vertex[1]]}, {part.vertices[t.vertex[2]]},
-                    t.material);
+    for (std::size_t i = 0; i < part.triangles.size(); ++i) {
+        const Triangle& t = part.triangles[i];
+        const auto corner = [&](std::size_t k) {
+            return Corner{part.vertices[t.vertex[k]], glm::dvec3(0),
+                          part.coordinates.empty() ? no_coordinates : part.coordinates[i][k]};
+        };
+        builder.add(corner(0), corner(1), corner(2), t.material);
+    }
     Scene smooth = builder.take();
     part.vertices = std::move(smooth.vertices);
     part.normals = std::move(smooth.normals);
     part.triangles = std::move(smooth.triangles);
+    part.coordinates = std::move(smooth.coordinates);
 }
 
 void make_smooth(PlacedScene& part) {
@@ -132,10 +160,10 @@ void make_smooth(PlacedScene& part) {
         if (!mesh.normals.empty()) continue;
         Scene alone;
         alone.vertices.swap(mesh.vertices), alone.normals.swap(mesh.normals);
-        alone.triangles.swap(mesh.triangles);
+        alone.triangles.swap(mesh.triangles), alone.coordinates.swap(mesh.coordinates);
         make_smooth(alone);
         alone.vertices.swap(mesh.vertices), alone.normals.swap(mesh.normals);
-        alone.triangles.swap(mesh.triangles);
+        alone.triangles.swap(mesh.triangles), alone.coordinates.swap(mesh.coordinates);
     }
 }
 

@@ -3,21 +3,27 @@
 // model/scene/placed.hpp places them.
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string_view>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "model/scene/placed.hpp"
 
 namespace rayclock {
 
+/// The coordinates of a corner for which the file has none.
+constexpr glm::dvec2 no_coordinates{std::numeric_limits<double>::quiet_NaN()};
+
 /// One corner of a triangle as stored in a file. A normal of zero means that the file has none.
 struct Corner {
     glm::dvec3 position{0};
     glm::dvec3 normal{0};
+    glm::dvec2 st = no_coordinates;   ///< on the texture
 };
 
 /// The continuation of a warning about a "face" whose corners have different colours.
@@ -58,6 +64,7 @@ public:
 
 private:
     std::uint32_t vertex(const Corner& corner);
+    void add_coordinates(const CornerCoordinates& corners);
     std::size_t slot(const glm::dvec3& position, const glm::dvec3& normal) const;
     void grow();
     bool is_smooth_;
@@ -67,6 +74,10 @@ private:
     std::map<std::array<float, 3>, std::uint32_t> colour_numbers_;
     std::vector<std::uint32_t> table_;   ///< open addressing; size a power of two, at most two thirds full
 };
+
+/// Calls append(). Where only one of both has texture coordinates, those of the other become no_coordinates.
+void append_part(Scene& scene, const Scene& part, const glm::dmat4& place,
+                 std::optional<std::uint32_t> material, std::uint32_t material_base);
 
 /// Gives a flat part the normals of its facets, so that it stays flat in a scene with normals.
 void make_smooth(Scene& part);

@@ -28,7 +28,7 @@ Drawn drawn(const Scene& scene, FrameSize size, const Whitted& settings, Config 
     check_config(config, "the test");
     const MemoryImage image = compile_scene(scene, scene.camera->eye, config);
     Frame frame = make_frame(*scene.camera, size, image, config);
-    frame.shade = make_shade_frame(scene, settings, image, config);
+    frame.shade = make_shade_frame(scene, settings, image, frame.height, config);
     Drawn made{record_trace(image, frame, config, 1), {size, {}}};
     for (const auto& c : made.trace.colours)
         made.picture.pixels.push_back(glm::vec3(c[0], c[1], c[2]) / 65536.0f);

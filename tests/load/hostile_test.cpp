@@ -293,9 +293,10 @@ TEST_CASE("a word of ten million letters is refused as quickly as it is read") {
 
 TEST_CASE("what a file holds and is not drawn is said, and counted") {
     const Folder folder;
-    const auto notes_of = [&](const std::string& name, const std::string& bytes) {
+    const auto notes_of = [&](const std::string& name, const std::string& bytes,
+                              Textures textures = Textures::drawn) {
         std::vector<std::string> notes;
-        load_scene(folder.write(name, bytes), {}, Primitives::triangles, &notes);
+        load_scene(folder.write(name, bytes), {}, Primitives::triangles, &notes, textures);
         return notes;
     };
     using Notes = std::vector<std::string>;
@@ -309,12 +310,17 @@ TEST_CASE("what a file holds and is not drawn is said, and counted") {
     folder.write(
         "m.mtl",
         "newmtl a\nKd 1.5 0 0\nnewmtl b\nNs -3\nnewmtl c\nKd 1 1 1\nmap_Kd c.png\nnewmtl d\nKd 9 9 9\n");
-    const Notes odd = notes_of(
-        "odd.obj", "mtllib m.mtl\n" + v3 + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n");
-    CHECK(odd == Notes{folder.name("odd.obj") +
-                           ": 2 materials with values out of range, taken as the nearest within (the "
-                           "first: 'a')",
-                       folder.name("odd.obj") + ": 1 material with textures, which are not drawn ('c')"});
+    const std::string three =
+        "mtllib m.mtl\n" + v3 + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n";
+    const std::string out_of_range =
+        folder.name("odd.obj") +
+        ": 2 materials with values out of range, taken as the nearest within (the first: 'a')";
+    CHECK(notes_of("odd.obj", three, Textures::averaged) ==
+          Notes{out_of_range,
+                folder.name("odd.obj") + ": 1 material with textures, which are not drawn ('c')"});
+    CHECK(notes_of("odd.obj", three) == Notes{folder.name("odd.obj") + ": a picture is not drawn: " +
+                                                  folder.name("c.png") + ": there is no such file",
+                                              out_of_range});
     std::filesystem::create_directory(folder.name("in"));
     CHECK(notes_of("in/a.obj", "mtllib ../m.mtl\n" + v3 + "usemtl c\nf 1 2 3\n").at(0) ==
           folder.name("in/a.obj") +

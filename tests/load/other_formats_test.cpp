@@ -18,9 +18,10 @@ struct Told {
     Scene scene;
     std::vector<std::string> notes;
 };
-Told told(const Folder& folder, const std::string& name, const std::string& bytes) {
+Told told(const Folder& folder, const std::string& name, const std::string& bytes,
+          Textures textures = Textures::drawn) {
     Told all;
-    all.scene = load_scene(folder.write(name, bytes), {}, Primitives::triangles, &all.notes);
+    all.scene = load_scene(folder.write(name, bytes), {}, Primitives::triangles, &all.notes, textures);
     return all;
 }
 void check_refused(const std::string& name, const std::string& bytes, const std::vector<std::string>& words) {
@@ -218,7 +219,7 @@ TEST_CASE("gzip: damaged, cut off, followed by something else, or too much") {
 }
 
 TEST_CASE(
-    "gltf: a texture of the base colour is drawn in its mean, from a file, from inside, or not at all") {
+    "gltf: --no-textures draws the mean of the base colour's texture, from a file, from inside, or none") {
     const Folder folder;
     Picture picture{{2, 1}, {{1, 0, 0.25f}, {0, 0, 0.25f}}};
     const std::string png = png_bytes(picture);
@@ -232,7 +233,7 @@ TEST_CASE(
                         "\"baseColorFactor\":[1,1,0.5,1]}}],\"textures\":[{\"source\":0}],\"images\":[" +
                             image + "],\"accessors\"");
     };
-    const Told outside = told(folder, "outside.gltf", with("{\"uri\":\"mean.png\"}"));
+    const Told outside = told(folder, "outside.gltf", with("{\"uri\":\"mean.png\"}"), Textures::averaged);
     const glm::dvec3 colour = outside.scene.materials.at(0).colour;
     CHECK(colour.r == Approx(0.5).epsilon(1e-3));
     CHECK(colour.g == 0);
@@ -241,7 +242,8 @@ TEST_CASE(
     CHECK_THAT(outside.notes[0],
                Contains("1 material with a texture of its colour, drawn in the mean of the texture"));
     const Told inside =
-        told(folder, "inside.gltf", with("{\"uri\":\"data:image/png;base64," + base64(png) + "\"}"));
+        told(folder, "inside.gltf", with("{\"uri\":\"data:image/png;base64," + base64(png) + "\"}"),
+             Textures::averaged);
     CHECK(inside.scene.materials.at(0).colour == colour);
 
     const Told none = told(folder, "none.gltf", with("{\"uri\":\"none.png\"}"));

@@ -93,6 +93,11 @@ TEST_CASE("every parameter either always has an effect or has a rule for when it
                                 {"surf_ways", {}, "shading=0"},
                                 {"surf_line", {}, "shading=0"},
                                 {"surf_mshrs", {}, "shading=0"},
+                                {"texels", {}, "shading=0"},
+                                {"tex_sets", {}, "shading=0"},
+                                {"tex_ways", {{"shading", "1"}}, "textures=0"},
+                                {"tex_line", {{"shading", "1"}}, "textures=0"},
+                                {"tex_mshrs", {{"shading", "1"}}, "textures=0"},
                                 {"stream_sets", {}, "source=camera"},
                                 {"stream_ways", {}, "source=camera"},
                                 {"stream_line", {}, "source=camera"},
@@ -105,7 +110,7 @@ TEST_CASE("every parameter either always has an effect or has a rule for when it
         "prim_line",    "prim_mshrs",   "l2_sets",     "cache_queue", "timing",        "shading",
         "spheres",      "planes",       "smooth",      "refraction",  "supersampling", "dram",
         "panes",        "horizon",      "addr_bits",   "prim_bits",   "pixel_bits",    "scan_out",
-        "pixel_writes", "source"};
+        "pixel_writes", "source",       "textures"};
     for (const Parameter& p : parameters()) {
         CAPTURE(p.key);
         const std::string key = p.key;

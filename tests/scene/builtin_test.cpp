@@ -24,9 +24,9 @@ TEST_CASE("Names are listed once, with purposes", "[scene][builtin]") {
         CHECK(is_builtin(b.name));
     }
     CHECK(names == std::set<std::string_view>{
-                       "balls",  "boughs",  "clockwork", "cornell",   "crowd",   "cube",  "flake",
-                       "flight", "gearbox", "gears",     "icosphere", "mirrors", "mount", "plane",
-                       "rings",  "spheres", "square",    "teapot",    "tetra",   "tree",  "wknd"});
+                       "balls",   "boughs", "clockwork", "cornell", "crowd", "cube",  "flake", "flight",
+                       "gearbox", "gears",  "icosphere", "mirrors", "mount", "plane", "rings", "room",
+                       "spheres", "square", "teapot",    "tetra",   "tree",  "wknd"});
 }
 
 TEST_CASE("A name alone has its default size", "[scene][builtin]") {

@@ -42,7 +42,7 @@ TEST_CASE("Triangle counts are the published ones", "[scene][builtin]") {
         {"balls", 4, 797150},  {"rings", 1, 3962},   {"rings", 3, 55442},    {"rings", 5, 217802},
         {"rings", 7, 554402},  {"tree", 1, 398},     {"tree", 6, 16766},     {"tree", 7, 33662},
         {"tree", 11, 540542},  {"icosphere", 1, 80}, {"icosphere", 4, 5120}, {"icosphere", 6, 81920},
-        {"cornell", 1, 38},
+        {"cornell", 1, 38},    {"room", 1, 34},
     }));
     CAPTURE(c.name, c.size);
     CHECK(builtin(c.name).triangles(c.size) == c.triangles);

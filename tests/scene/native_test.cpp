@@ -74,6 +74,7 @@ TEST_CASE("Native counts are the published ones", "[scene][native]") {
         {"spheres", 1, {0, 5, 1}},
         {"plane", 1, {0, 0, 1}},
         {"square", 1, {2, 0, 0}},
+        {"room", 1, {34, 0, 0}},
     }));
     CAPTURE(c.name, c.size);
     CHECK(builtin(c.name).counts(c.size, Primitives::native) == c.counts);

@@ -85,15 +85,17 @@ TEST_CASE("timing does not make another trace, every width does") {
         Config other = base;
         p.set(other, p.get(base) == p.lo ? p.hi : p.lo);
         const std::string key = p.key;
-        const bool is_format =
-            key.ends_with("_bits")
-                ? key != "tile_bits"
-                : key == "node_width" || key == "leaf_size" || key == "stack_depth" ||
-                      key == "primitive_test" || key == "structure" || key == "straddlers" ||
-                      key == "splits" || key == "references" || key == "levels" || key == "mesh_structure" ||
-                      key == "shading" || key == "spheres" || key == "planes" || key == "smooth" ||
-                      key == "refraction" || key == "panes" || key == "horizon" || key == "supersampling" ||
-                      key == "source" || key == "lights" || key == "bounces";   // may be too few
+        const bool is_format = key.ends_with("_bits")
+                                   ? key != "tile_bits"
+                                   : key == "node_width" || key == "leaf_size" || key == "stack_depth" ||
+                                         key == "primitive_test" || key == "structure" ||
+                                         key == "straddlers" || key == "splits" || key == "references" ||
+                                         key == "levels" || key == "mesh_structure" || key == "shading" ||
+                                         key == "spheres" || key == "planes" || key == "smooth" ||
+                                         key == "refraction" || key == "panes" || key == "horizon" ||
+                                         key == "supersampling" || key == "source" || key == "textures" ||
+                                         key == "texels" || key == "lights" || key == "bounces";   // may be
+                                                                                                   // too few
         CHECK((sweep::trace_format(other) != sweep::trace_format(base)) == is_format);
     }
 }

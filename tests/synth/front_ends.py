@@ -48,6 +48,12 @@ INTERVALS = [
     "default timing=fast shading=1 shade_interval=4 levels=2 xform_interval=1 refraction=1",
     "ulx3s box_lanes=1 tri_interval=1 raygen_interval=2",
 ]
+TEXTURES = [
+    "default shading=1 textures=1",
+    "small levels=2 shading=1 textures=1 texels=rgb565 refraction=1 supersampling=1",
+    "ulx3s-shaded textures=1",
+    "default timing=fast shading=1 textures=1 shade_interval=4 pipelines=2",
+]
 STRUCTURES = [
     "small levels=2 structure=kd mesh_structure=spheres",
     "default levels=2 structure=kd mesh_structure=spheres shading=1",
@@ -72,7 +78,7 @@ STREAMS = [
     "small shading=1 source=stream timing=fast pipelines=2 tile_bits=0 raygen_interval=4 structure=kd",
 ]
 
-ALL = NAMED + ENGINES + LEVELS + STRUCTURES + INTERVALS + BEYOND_THE_LATTICE + SHAPES + STREAMS
+ALL = NAMED + ENGINES + LEVELS + TEXTURES + STRUCTURES + INTERVALS + BEYOND_THE_LATTICE + SHAPES + STREAMS
 FEW = ["small", STRUCTURES[0]]
 OWN_TOOLS = "build/front-ends/bin"   # in the project's folder
 

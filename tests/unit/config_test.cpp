@@ -109,6 +109,10 @@ TEST_CASE("whatever is legal fits its integers and memory lines", "[config]") {
         REQUIRE((1 << c.l2_miss_bits()) >= c.l2_mshrs * (c.l2_line / line_bytes));
         REQUIRE((1 << c.client_bits()) >= 2 * c.pipelines);
         REQUIRE(c.client_id_bits() >= c.client_bits() + std::max(c.node_miss_bits(), c.prim_miss_bits()));
+        if (c.has_textures()) {
+            REQUIRE((1 << c.tex_miss_bits()) >= c.tex_mshrs * (c.tex_line / line_bytes));
+            REQUIRE(c.client_id_bits() >= c.client_bits() + c.tex_miss_bits());
+        }
         REQUIRE(c.client_id_bits() <= 16);
         REQUIRE((1 << (c.tile_coord_bits() + c.tile_bits)) == 1 << c.pixel_bits);
         REQUIRE(c.addr_bits >= c.least_addr_bits());
@@ -116,7 +120,7 @@ TEST_CASE("whatever is legal fits its integers and memory lines", "[config]") {
         REQUIRE(2 * c.node_width * 3 + 6 < 1 << offset_bits);   // all leaves are full: 6 half lines each
         REQUIRE(c.leaf_size + 1 < 1 << count_bits);
     }
-    REQUIRE(legal > 900);   // of 50,000
+    REQUIRE(legal > 800);   // of 50,000
 }
 
 TEST_CASE("widths that do not fit together are refused with the rule", "[config]") {

@@ -124,6 +124,20 @@ Words random_frame(const Config& config, Draw& draw) {
 
 }   // namespace
 
+TEST_CASE("every counter of every unit has an address of its own", "[host]") {
+    std::set<std::uint32_t> addresses;
+    std::size_t counters = 0;
+    for (std::size_t unit = 0; unit < pipeline_units + shared_units; ++unit)
+        for (int pipeline = 0; pipeline < (unit < pipeline_units ? 8 : 1); ++pipeline)
+            for (std::size_t cause = 0; cause < cause_count; ++cause, ++counters) {
+                const std::uint32_t address = counter_address(Unit(unit), pipeline, cause);
+                REQUIRE(address >= counter_base);
+                REQUIRE(address + 1 < 1u << address_bits);
+                addresses.insert(address);
+            }
+    CHECK(addresses.size() == counters);
+}
+
 TEST_CASE("registers can be read and written as their list says, and nothing else can", "[host]") {
     const Config config = host_config(GENERATE("small", "shaded"));
     Face face(config);
@@ -144,7 +158,7 @@ TEST_CASE("registers can be read and written as their list says, and nothing els
         REQUIRE(put.good == writable);
         REQUIRE((got.cycles == 2 && put.cycles == 2));
         if (!is_counter) continue;
-        const std::uint64_t counter = Face::counter(address >> 1 & 0x7ff);
+        const std::uint64_t counter = Face::counter(address >> 1 & ((1u << counter_bits) - 1));
         REQUIRE(got.value == std::uint32_t(address & 1 ? counter >> 32 : counter));
     }
     REQUIRE(face.starts == 0);

@@ -1,4 +1,5 @@
 // pass: the work of the unit shade on a context; compares its RTL with the model.
+#include <cmath>
 #include <deque>
 #include <map>
 #include <optional>
@@ -43,18 +44,27 @@ void drive(RtlModule& rtl, const PassIn& in, const Config& c) {
     put_vector(rtl, "o", in.o, c.origin_width());
     put_vector(rtl, "d", in.d, c.dir_bits);
     set_data(rtl.port("surface"), in.surface, c);
+    if (c.has_textures()) {
+        Words words(2, 0);
+        PackVisitor pack{words, 3 * (share_bits + 1) + 1};
+        pack("", in.hole, 1);
+        pack("", in.texel, share_bits + 1, 3);
+        copy_words(rtl.port("texel"), words);
+    }
     if (!c.has_homes()) return;
-    const int map_bits = 9 * c.map_bits() + 3 * (c.coord_bits + c.map_frac()), bits = c.addr_bits + map_bits;
+    const int map_bits = 9 * c.map_bits() + 3 * (c.coord_bits + c.map_frac()),
+              bits = c.addr_bits + (c.has_textures() ? level_bits : 0) + map_bits;
     Words words(std::size_t(bits + 31) / 32, 0);
     PackVisitor pack{words, bits};
     pack("here", in.placement.home(), c.addr_bits);
+    if (c.has_textures()) pack("texel_scale", in.placement.texel_scale, level_bits);
     pack("a", in.placement.a, c.map_bits(), 9);
     pack("b", in.placement.b, c.coord_bits + c.map_frac(), 3);
     copy_words(rtl.port("place"), words);
 }
 
 /// The groups of the state that rc_contexts writes when a pass ends, as bits of the port `changes`.
-enum Group { share_group = 1, face_group = 2, inner_group = 4, point_group = 8 };
+enum Group { share_group = 1, albedo_group = 2, face_group = 4, inner_group = 8, point_group = 16 };
 
 /// Ignores groups that have not changed, because they are not written. The material was written when the pass
 /// began (judge_look).
@@ -62,12 +72,14 @@ ShadeState written(ShadeState s, std::uint32_t changes, const ShadeState& kept, 
     if (!(changes & point_group))
         s.o = kept.o, s.normal = kept.normal, s.view = kept.view, s.cosine = kept.cosine;
     if (!(changes & inner_group)) s.inner = kept.inner;
-    if (!(changes & face_group)) s.n = kept.n, s.far = kept.far, s.lost = kept.lost, s.albedo = kept.albedo;
+    if (!(changes & face_group)) s.n = kept.n, s.far = kept.far, s.lost = kept.lost;
+    if (!(changes & albedo_group)) s.albedo = kept.albedo;
     if (!(changes & share_group)) s.share = kept.share;
     s.diffuse = wanted.diffuse, s.highlight = wanted.highlight, s.mirror = wanted.mirror,
     s.shine = wanted.shine;
     s.transmit = wanted.transmit, s.ratio = wanted.ratio, s.schlick = wanted.schlick, s.r0 = wanted.r0;
     s.self = wanted.self, s.inside = wanted.inside;
+    s.ambient = wanted.ambient, s.record = wanted.record;
     return s;
 }
 
@@ -79,6 +91,7 @@ template <class P> void compare(const RtlModule& rtl, const char* name, const P&
 
 void judge(const RtlModule& rtl, const PassIn& in, const Frame& frame, const Config& c) {
     CAPTURE(in.state.next_event, in.surface.kind, in.hit.found, in.state.waiting);
+    CAPTURE(in.hole, in.state.holes, in.texel, in.state.albedo, in.state.ambient, in.state.colour);
     const PassOut out = pass(in, frame, c);
     REQUIRE(got(rtl, "end_ray")[0] == in.ray);
     REQUIRE(got(rtl, "leave")[0] == std::uint32_t(out.leave));
@@ -93,8 +106,14 @@ void judge(const RtlModule& rtl, const PassIn& in, const Frame& frame, const Con
     REQUIRE(pack(seen(state, c), c) == pack(seen(out.state, c), c));
     REQUIRE(got(rtl, "push")[0] == std::uint32_t(out.push));
     if (out.push) compare(rtl, "pushed", out.pushed, c);
-    if (out.leave == PassOut::Leave::spawn) compare(rtl, "spawn", out.spawn, c);
+    if (out.leave == PassOut::Leave::spawn) {
+        const auto sent = get_data<Spawn>(rtl.port("spawn"), c);
+        CAPTURE(sent.o, out.spawn.o, sent.d, out.spawn.d, sent.home.line, out.spawn.home.line, sent.home.o,
+                out.spawn.home.o, sent.home.d, out.spawn.home.d);
+        compare(rtl, "spawn", out.spawn, c);
+    }
     if (out.leave == PassOut::Leave::pixel) compare(rtl, "pixel", out.pixel, c);
+    if (out.leave == PassOut::Leave::texture) compare(rtl, "tex_req", out.tex, c);
 }
 
 /// Counts the bits of a state's material: of its fields from diffuse on, which are its lowest bits.
@@ -176,6 +195,35 @@ void check(const char* name, unsigned first_seed, int frames, int count) {
     if (c.refraction)
         REQUIRE((times(ShadeEvent::refract, again) > 20 && pushes > 5 && times(ShadeEvent::pop, spawn) > 20));
     if (c.has_homes()) REQUIRE(times(ShadeEvent::transform, again) > 50);
+    if (c.has_textures()) {
+        REQUIRE(times(c.has_homes() ? ShadeEvent::transform : ShadeEvent::arrive, texture) > 30);
+        REQUIRE(times(ShadeEvent::texture, again) > 50);
+        REQUIRE(times(ShadeEvent::texture, spawn) > 20);
+    }
+}
+
+/// Draws a direction along an axis, a side's diagonal or the diagonal, of full length or shorter, or beside
+/// it.
+Vec3i random_corner_direction(Draw& draw, const Config& c) {
+    const std::int32_t most = (1 << (c.dir_bits - 1)) - 1, size = most >> draw.below(c.dir_bits);
+    Vec3i d{};
+    for (auto& x : d) {
+        const std::int32_t beside = std::clamp(size * draw.between(-1, 1) + draw.between(-2, 2), -most, most);
+        x = draw.percent(10) ? -most - 1 : beside;
+    }
+    return d;
+}
+
+/// Returns |d| in 128ths of 2^(M-1), and the length of the path, not saturated. |d| counts as its largest
+/// component, 1/4 + 1/8 of the second one and 1/4 + 1/16 of the smallest one, each rounded down.
+std::pair<std::int64_t, std::int64_t> wanted_path(std::uint32_t before, const Vec3i& d, std::uint32_t t,
+                                                  const Config& c) {
+    std::array<std::int64_t, 3> size{};
+    for (std::size_t k = 0; k < 3; ++k) size[k] = std::abs(std::int64_t(d[k]));
+    std::ranges::sort(size);
+    const std::int64_t sum = size[2] + size[1] / 4 + size[1] / 8 + size[0] / 4 + size[0] / 16,
+                       length = sum * 128 / (1 << (c.dir_bits - 1));
+    return {length, before + length * t / 128};
 }
 
 }   // namespace
@@ -199,6 +247,219 @@ TEST_CASE("the rtl's pass is the model's if it stays in each stage for several c
 TEST_CASE("the rtl's pass is the model's with instances", "[pass][lockstep][levels]") {
     const auto name = GENERATE("levels:mirror", "every8:fast:levels:all");
     check(name, 1, 4, 400);
+}
+
+TEST_CASE("the rtl's pass is the model's with textures", "[pass][lockstep][textures]") {
+    check("textured:all", 1, 8, 400);
+}
+
+TEST_CASE("the rtl's pass is the model's with textures and instances, if it stays for several cycles",
+          "[pass][lockstep][textures][interval]") {
+    check("textured:every8:fast:levels:all", 1, 4, 800);
+}
+
+TEST_CASE("the length of a path is that of its rays, rounded down and saturated", "[pass][textures]") {
+    const Config c = shaded_format(GENERATE("textured:all", "textured:narrow", "textured:short"));
+    Draw draw{17};
+    int saturated = 0, longer = 0;
+    for (int i = 0; i < 50000; ++i) {
+        const Frame frame = i % 1000 == 0 ? random_shade_frame(draw, c) : Frame{};
+        PassIn in = random_pass(draw, frame, c);
+        in.state.next_event = std::uint32_t(ShadeEvent::arrive), in.hit.found = 1;
+        if (draw.percent(10)) in.d[std::size_t(draw.below(3))] = -(1 << (c.dir_bits - 1));
+        if (draw.percent(20)) in.d = random_corner_direction(draw, c);
+        const auto [length, wanted] = wanted_path(in.state.path, in.d, in.hit.t, c);
+        const std::int64_t most = (std::int64_t(1) << c.t_bits()) - 1;
+        REQUIRE(std::int64_t(pass(in, frame, c).state.path) == std::min(wanted, most));
+        saturated += wanted > most, longer += length > 128;
+        // At (1, 3/8, 5/16) the estimate is largest, sqrt(1 + 9/64 + 25/256) times the length. Along a
+        // diagonal, (1, 1, 1), it is smallest, (1 + 3/8 + 5/16) / sqrt(3) times.
+        const double exact =
+            std::hypot(double(in.d[0]), double(in.d[1]), double(in.d[2])) / (1 << (c.dir_bits - 1));
+        REQUIRE(double(length) / 128 <= 1.1128 * exact);
+        REQUIRE(double(length + 2) / 128 >= 0.9742 * exact);
+    }
+    CAPTURE(saturated, longer);
+    CHECK((saturated > 300 && longer > 500));
+}
+
+TEST_CASE("the rtl's length of a path is exact, after three cycles, one in a cycle",
+          "[pass][path][textures]") {
+    const Config c = shaded_format("textured:all");
+    RtlModule rtl(c, "rc_path_length");
+    Draw draw{29};
+    std::array<bool, 4> valid{};                         // of the last cycles
+    std::array<std::optional<std::int64_t>, 4> path{};   // their results
+    int checked = 0;
+    for (int cycle = 0; cycle < 40000; ++cycle) {
+        const auto before = std::uint32_t(draw.natural(c.t_bits())),
+                   t = std::uint32_t(draw.natural(c.t_bits()));
+        const Vec3i d = draw.percent(30) ? random_corner_direction(draw, c) : draw.vector(c.dir_bits);
+        std::shift_right(valid.begin(), valid.end(), 1), std::shift_right(path.begin(), path.end(), 1);
+        valid[0] = cycle % 2000 < 1000 || draw.coin();
+        path[0].reset();
+        if (valid[0])
+            path[0] = std::min(wanted_path(before, d, t, c).second, (std::int64_t(1) << c.t_bits()) - 1);
+        put(rtl, "valid",
+            std::uint32_t(valid[0]) | std::uint32_t(valid[1]) << 1 | std::uint32_t(valid[2]) << 2);
+        put(rtl, "s1_phase", 1);
+        put(rtl, "s0_path", before), put(rtl, "s0_t", t);
+        put_vector(rtl, "s0_d", d, c.dir_bits);
+        rtl.settle();
+        if (valid[3]) {
+            INFO("cycle " << cycle);
+            REQUIRE(std::int64_t(got(rtl, "s3_path")[0]) == *path[3]);
+            ++checked;
+        }
+        rtl.clock();
+    }
+    CHECK(checked > 20000);
+}
+
+TEST_CASE("a path begins at the camera ray, and a refracted ray continues its own", "[pass][textures]") {
+    const Config c = shaded_format("textured:all");
+    Draw draw{19};
+    int samples = 0, waited = 0, pushed = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Frame frame = random_shade_frame(draw, c);
+        const PassIn in = random_pass(draw, frame, c);
+        const PassOut out = pass(in, frame, c);
+        const bool pops = in.state.next_event == std::uint32_t(ShadeEvent::pop);
+        if (out.leave == PassOut::Leave::spawn && pops && in.state.waiting > 0) {
+            REQUIRE(out.state.path == in.top.path);
+            ++waited;
+        } else if (out.leave == PassOut::Leave::spawn && pops) {
+            REQUIRE(out.state.path == 0);
+            ++samples;
+        }
+        if (out.push) {
+            REQUIRE(out.pushed.path == in.state.path);
+            ++pushed;
+        }
+    }
+    CHECK((samples > 100 && waited > 100 && pushed > 100));
+}
+
+TEST_CASE("a texture multiplies the albedo once, and ambient light comes after it", "[pass][textures]") {
+    const Config c = shaded_format(GENERATE("textured:plain", "textured:all", "textured:levels:all"));
+    Draw draw{23};
+    int arrived = 0, textured = 0, last = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Frame frame = random_shade_frame(draw, c);
+        PassIn in = random_pass(draw, frame, c);
+        in.state.pending = 0;
+        const PassOut out = pass(in, frame, c);
+        const ShadeState &was = in.state, &is = out.state;
+        const auto event = ShadeEvent(was.next_event);
+        if (event == ShadeEvent::texture && (!in.hole || was.holes == 63)) {
+            ++textured, last += in.hole;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint64_t albedo = (std::uint64_t(was.albedo[k]) * in.texel[k] + 2048) / 4096;
+                const std::uint64_t light =
+                    (was.weight * std::uint64_t(was.ambient) * albedo + (1 << 23)) >> 24;
+                REQUIRE(is.albedo[k] == albedo);
+                REQUIRE(is.colour[k] == std::min<std::uint64_t>(was.colour[k] + light, 1 << unit_bits));
+            }
+            REQUIRE(is.holes == was.holes);
+            REQUIRE(out.leave == PassOut::Leave::again);
+        } else if (event == ShadeEvent::arrive && in.hit.found && in.surface.record != 0) {
+            ++arrived;
+            REQUIRE(is.colour == was.colour);   // no ambient light yet
+            REQUIRE(is.record == in.surface.record);
+            REQUIRE(is.ambient == in.surface.ambient);
+            REQUIRE((out.leave == PassOut::Leave::texture) == !c.has_homes());
+            if (c.has_homes()) continue;
+            REQUIRE((out.tex.ray == in.ray && out.tex.record == in.surface.record && out.tex.u == in.hit.u &&
+                     out.tex.v == in.hit.v && out.tex.cosine == is.cosine && out.tex.path == is.path));
+        }
+    }
+    CHECK((arrived > 300 && textured > 1000 && last > 100));
+}
+
+TEST_CASE("a ray goes on through a hole, in its own direction and with its own weight", "[pass][hole]") {
+    const Config c = shaded_format(GENERATE("textured:plain", "textured:all", "textured:levels:all"));
+    Draw draw{37};
+    int first = 0, later = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Frame frame = random_shade_frame(draw, c);
+        PassIn in = random_pass(draw, frame, c);
+        in.state.next_event = std::uint32_t(ShadeEvent::texture);
+        in.state.far = in.state.lost = 0;
+        for (std::size_t k = 0; const std::int32_t x : draw_place(draw, c)) in.state.o[k++] = x;
+        for (std::size_t k = 0; const std::int32_t x : draw_place(draw, c)) in.state.inner[k++] = x;
+        in.hole = 1;
+        if (in.state.holes == 63) continue;
+        (in.state.holes == 0 ? first : later)++;
+        const PassOut out = pass(in, frame, c);
+        const ShadeState &was = in.state, &is = out.state;
+        REQUIRE(out.leave == PassOut::Leave::spawn);
+        REQUIRE_FALSE(out.push);
+        REQUIRE(is.next_event == std::uint32_t(ShadeEvent::arrive));
+        REQUIRE(is.holes == was.holes + 1);
+        REQUIRE((is.depth == was.depth && is.weight == was.weight && is.path == was.path));
+        REQUIRE((is.cell == was.cell && is.waiting == was.waiting && is.sample == was.sample));
+        // What a light gave before counts, but the surface has no ambient light.
+        const bool adds = was.pending == std::uint32_t(Pending::sure) ||
+                          (was.pending == std::uint32_t(Pending::answer) && !in.hit.found);
+        for (std::size_t k = 0; k < 3; ++k)
+            REQUIRE(is.colour[k] ==
+                    std::min<std::uint32_t>(was.colour[k] + (adds ? was.share[k] : 0), 1 << unit_bits));
+        REQUIRE(out.spawn.ray == in.ray);
+        REQUIRE(out.spawn.kind == std::uint32_t(RayKind::bounce));
+        REQUIRE(out.spawn.d == in.d);
+        for (std::size_t k = 0; k < 3; ++k) REQUIRE(out.spawn.o[k] == was.o[k]);
+        REQUIRE((out.spawn.self == was.self && out.spawn.inside == was.inside && !out.spawn.partial));
+        if (!c.has_homes()) continue;
+        // In the mesh's space the ray starts from the point in the mesh.
+        REQUIRE(out.spawn.home.line == in.placement.home());
+        for (std::size_t k = 0; k < 3; ++k) REQUIRE(out.spawn.home.o[k] == was.inner[k]);
+    }
+    CHECK((first > 3000 && later > 3000));
+}
+
+TEST_CASE("holes are counted from a bounce, a waiting ray or a sample on", "[pass][hole]") {
+    const Config c = shaded_format(GENERATE("textured:all", "textured:levels:all"));
+    Draw draw{47};
+    int reflected = 0, popped = 0, samples = 0, kept = 0;
+    for (int i = 0; i < 30000; ++i) {
+        const Frame frame = random_shade_frame(draw, c);
+        const PassIn in = random_pass(draw, frame, c);
+        if (in.state.next_event == std::uint32_t(ShadeEvent::texture)) continue;
+        const PassOut out = pass(in, frame, c);
+        const bool is_light = in.state.next_event == std::uint32_t(ShadeEvent::light);
+        if (out.leave != PassOut::Leave::spawn || is_light) {
+            REQUIRE(out.state.holes == in.state.holes);
+            ++kept;
+            continue;
+        }
+        REQUIRE(out.state.holes == 0);
+        if (in.state.holes == 0) continue;
+        (in.state.next_event == std::uint32_t(ShadeEvent::reflect) ? reflected
+         : in.state.waiting > 0                                    ? popped
+                                                                   : samples)++;
+    }
+    CAPTURE(reflected, popped, samples, kept);
+    CHECK((reflected > 100 && popped > 100 && samples > 100 && kept > 3000));
+}
+
+TEST_CASE("a pixel keeps the hit of its first camera ray, not one behind a hole", "[pass][hole]") {
+    const Config c = shaded_format("textured:all");
+    Draw draw{53};
+    int first = 0, behind = 0;
+    for (int i = 0; i < 30000; ++i) {
+        const Frame frame = random_shade_frame(draw, c);
+        PassIn in = random_pass(draw, frame, c);
+        in.state.next_event = std::uint32_t(ShadeEvent::arrive);
+        if (draw.coin()) in.state.depth = in.state.sample = 0;
+        const ShadeState& was = in.state;
+        const ShadeState is = pass(in, frame, c).state;
+        const auto kept = [](const ShadeState& s) { return std::array{s.found, s.prim, s.t, s.u, s.v}; };
+        const bool is_first = was.depth == 0 && was.sample == 0 && was.holes == 0;
+        const std::array came{in.hit.found, in.hit.prim, in.hit.t, in.hit.u, in.hit.v};
+        REQUIRE(kept(is) == (is_first ? came : kept(was)));
+        first += is_first, behind += was.depth == 0 && was.sample == 0 && !is_first;
+    }
+    CHECK((first > 3000 && behind > 3000));
 }
 
 TEST_CASE("the rtl's pass is the model's if it stays for two, four or eight cycles, in every format",

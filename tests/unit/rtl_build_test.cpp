@@ -3,6 +3,7 @@
 #include "tests/support/dut/cache_dut.hpp"
 #include "tests/support/cases/host_cases.hpp"
 #include "tests/support/cases/pass_cases.hpp"
+#include "tests/support/cases/tex_cases.hpp"
 #include <catch2/catch.hpp>
 
 #include "model/engine/check.hpp"
@@ -64,6 +65,17 @@ TEST_CASE("the units' rtl is built", "[.build]") {
                         {"rc_shade", "plain", test::shaded_format},
                         {"rc_pass", "every4:fast:all", test::shaded_format},
                         {"rc_shade", "every4:plain", test::shaded_format},
+                        {"rc_path_length", "textured:all", test::shaded_format},
+                        {"rc_pass", "textured:all", test::shaded_format},
+                        {"rc_pass", "textured:every8:fast:levels:all", test::shaded_format},
+                        {"rc_shade", "textured:all", test::shaded_format},
+                        {"rc_shade", "textured:every4:fast:plain", test::shaded_format},
+                        {"rc_tex", "rgb888", test::tex_config},
+                        {"rc_tex", "rgb565", test::tex_config},
+                        {"rc_tex", "narrow", test::tex_config},
+                        {"rc_tex", "fine", test::tex_config},
+                        {"rc_tex", "levels", test::tex_config},
+                        {"rc_log", "rgb888", test::tex_config},
                         {"rc_sched", "0", tiled},
                         {"rc_sched", "3", tiled},
                         {"rc_dispatch", "1", pipelines},

@@ -32,6 +32,7 @@ void same_in_every_cycle(const Config& c, int idle, int stall, unsigned seed, in
         REQUIRE(same(rtl.closest, model.closest, c));
         REQUIRE(same(rtl.surf_req, model.surf_req, c));
         REQUIRE(same(rtl.surf_rsp, model.surf_rsp, c));
+        REQUIRE(same(rtl.tex_req, model.tex_req, c));
         REQUIRE(same(rtl.spawn, model.spawn, c));
         if (rtl.pixel.offer && model.pixel.offer) {
             const Pixel &got = *rtl.pixel.offer, &wanted = *model.pixel.offer;
@@ -48,7 +49,7 @@ void same_in_every_cycle(const Config& c, int idle, int stall, unsigned seed, in
 
 void check(const char* format, int contexts, int queue, int cycles) {
     const Config c = shape(format, contexts, queue);
-    int pixels = 0, shadows = 0, bounces = 0, samples = 0, closed = 0;
+    int pixels = 0, shadows = 0, bounces = 0, samples = 0, closed = 0, textures = 0;
     unsigned seed = 1;
     for (const auto& [name, idle, stall] : flows) {
         Draw draw{seed};
@@ -60,17 +61,18 @@ void check(const char* format, int contexts, int queue, int cycles) {
         ShadeWorld world(c, frame, idle, stall, seed);
         same_in_every_cycle(c, idle, stall, seed++, cycles, world, frame);
         pixels += world.pixels, shadows += world.shadows, bounces += world.bounces, samples += world.samples,
-            closed += world.closed;
+            closed += world.closed, textures += world.textures;
     }
     CAPTURE(pixels, shadows, bounces, samples, closed);
     REQUIRE((pixels > 10 && shadows > 10 && bounces > 10));
     REQUIRE((samples > 0) == (c.supersampling));
     REQUIRE((closed > 0) == (queue < 32 && queue < contexts));
+    REQUIRE((textures > 10) == c.has_textures());
 }
 
 template <class Dut> void still(Dut& dut) {
     dut.slot.reset(), dut.ray.reset(), dut.closest.offer.reset(), dut.surf_rsp.offer.reset();
-    dut.surf_req.ready = dut.spawn.ready = dut.pixel.ready = true;
+    dut.surf_req.ready = dut.tex_req.ready = dut.spawn.ready = dut.pixel.ready = true;
 }
 template <class Dut> void step(Dut& dut) {
     dut.eval();
@@ -99,12 +101,82 @@ TEST_CASE("model and rtl of shade make the same moves with a pass every few cycl
     check("every8:fast:all", 64, 64, 6000);
 }
 
+TEST_CASE("model and rtl of shade make the same moves with textures", "[shade][lockstep][textures]") {
+    check("textured:all", 64, 64, 3000);
+    check("textured:all", 8, 4, 3000);
+    check("textured:every4:fast:plain", 64, 8, 6000);
+}
+
 TEST_CASE("model and rtl of shade make the same moves in every cycle, for long", "[shade][lockstep][slow]") {
     const auto format = GENERATE("all", "plain", "mirror", "narrow", "broad", "short", "every8:fast:all",
                                  "every4:all", "every2:plain");
     check(format, 64, 64, 40000);
     check(format, 32, 8, 40000);
     check(format, 1, 2, 40000);
+}
+
+// The ray meets textured triangles only. Each has a hole.
+TEMPLATE_TEST_CASE("a ray goes through 63 holes, and the next texture is drawn", "[shade][hole]", ShadeModel,
+                   ShadeRtl) {
+    const Config c = shape("textured:all", 64, 64);
+    Frame frame;
+    frame.shade.side = 1, frame.shade.depth = 0;
+    frame.shade.share = 1 << unit_bits;
+    TestType dut(c, frame);
+    still(dut);
+    // Runs until a link fires, and returns its payload.
+    const auto next = [&](auto& link) {
+        for (int i = 0; i < 400; ++i) {
+            dut.eval();
+            const auto offer = link.offer;
+            dut.commit();
+            still(dut);
+            if (offer) return *offer;
+        }
+        FAIL("nothing comes");
+        return *link.offer;
+    };
+    dut.slot = Slot{5, 7, 9};
+    step(dut);
+    Ray ray;
+    ray.ray = 5, ray.o = {100, -200, 300}, ray.d = {70, 80, 90};
+    const int holes = 63;
+    for (int i = 0; i <= holes; ++i) {
+        INFO("hole " << i);
+        dut.ray = ray;
+        step(dut);
+        const Closest hit{5, 1, std::uint32_t(i), std::uint32_t(1000 + i), 1u << (c.bary_bits - 2), 0, 0};
+        dut.closest.offer = hit;
+        step(dut);
+        REQUIRE(next(dut.surf_req).ray == 5);
+        Surface surface;
+        surface.record = 77;
+        surface.a = {10, 20, i}, surface.b = {14, 20, i}, surface.c = {10, 24, i};
+        surface.colour = {4096, 4096, 4096}, surface.ambient = 4096;
+        dut.surf_rsp.offer = SurfRsp{5, surface};
+        dut.eval();
+        while (!dut.surf_rsp.ready) step(dut), dut.surf_rsp.offer = SurfRsp{5, surface}, dut.eval();
+        dut.commit();
+        still(dut);
+        const TexReq request = next(dut.tex_req);
+        REQUIRE((request.ray == 5 && request.record == 77));
+        dut.tex_rsp = TexRsp{5, 1, {4096, 2048, 0}};
+        step(dut);
+        dut.tex_rsp.reset();
+        if (i == holes) break;
+        const Spawn goes_on = next(dut.spawn);
+        REQUIRE(goes_on.kind == std::uint32_t(RayKind::bounce));
+        REQUIRE(goes_on.d == ray.d);
+        // At a quarter of the first edge, at most 1/256 of a step inwards.
+        for (std::size_t k = 0; const int at : {11, 20, i}) {
+            const std::int32_t beside = goes_on.o[k++] - (at << c.origin_bits);
+            REQUIRE((beside >= 0 && beside <= 1 << (c.origin_bits - 8)));
+        }
+        ray.kind = goes_on.kind, ray.o = goes_on.o;
+    }
+    const Pixel pixel = next(dut.pixel);
+    REQUIRE((pixel.first.found == 1 && pixel.first.prim == 0 && pixel.first.t == 1000));
+    REQUIRE(pixel.colour == std::array<std::uint32_t, 3>{1 << 16, 1 << 15, 0});
 }
 
 // A camera ray that hits nothing has two passes: for its background, and for the end of the sample.

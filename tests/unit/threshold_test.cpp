@@ -37,7 +37,7 @@ struct Chip {
         Whitted settings;
         settings.depth = 15, settings.threshold = threshold;
         Frame frame;
-        frame.shade = make_shade_frame(scene, settings, image, config);
+        frame.shade = make_shade_frame(scene, settings, image, 1, config);
         return frame;
     }
 };

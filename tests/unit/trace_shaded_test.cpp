@@ -46,7 +46,7 @@ Picture compiled_picture(const char* scene_name, const Whitted& settings,
     check_config(config, "test");
     Picture p{config, compile_scene(scene, scene.camera->eye, config), {}};
     p.frame = make_frame(*scene.camera, {20, 14}, p.image.lattice, config);
-    p.frame.shade = make_shade_frame(scene, settings, p.image, config);
+    p.frame.shade = make_shade_frame(scene, settings, p.image, p.frame.height, config);
     return p;
 }
 

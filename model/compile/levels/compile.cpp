@@ -12,6 +12,7 @@
 #include "model/layout/words.hpp"
 #include "model/compile/refit/refit.hpp"
 #include "model/compile/surfaces.hpp"
+#include "model/compile/textures.hpp"
 #include "model/compile/compile.hpp"
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
@@ -31,6 +32,7 @@ public:
         buffers_ = std::max(buffers, 1);
         lowers_.resize(out_.maps.classes.size());
         out_.rooms.assign(lowers_.size(), 0), out_.first_surface_lines.assign(lowers_.size(), 0);
+        out_.texture_records.resize(lowers_.size());
         for (std::size_t c = 0; c < lowers_.size(); ++c) compile_class(c);
         gather_entries();
         if (buffers > 0) {   // each buffer has room for any tree of the film
@@ -130,8 +132,8 @@ private:
 
     /// Returns the line of the first surface of an instance's mesh. Instances of a class share surfaces.
     std::uint32_t surfaces_of(std::uint32_t instance) {
-        const auto [found, is_new] = surfaces_.try_emplace(class_of(instance), image_.lines());
-        if (is_new) write_surfaces_of(class_of(instance));
+        const auto [found, is_new] = surfaces_.try_emplace(class_of(instance));
+        if (is_new) found->second = write_surfaces_of(class_of(instance));
         return found->second;
     }
 
@@ -147,12 +149,22 @@ private:
         return found->second;
     }
 
-    void write_surfaces_of(std::uint32_t number) {
+    /// Writes the surfaces of a class, and its textures before them. Returns the line of the first surface.
+    std::uint32_t write_surfaces_of(std::uint32_t number) {
         const MeshClass& made = out_.maps.classes[number];
-        if (parts_.is_round(made.mesh)) return write_round(made.lattice);
+        if (parts_.is_round(made.mesh)) {
+            const std::uint32_t first = image_.lines();
+            write_round(made.lattice);
+            return first;
+        }
+        Scene scene = class_surfaces(*parts_.meshes[made.mesh], made, materials_);
+        scene.textures = parts_.textures;
+        out_.texture_records[number] =
+            write_textures(scene, step_lattice(), config_, name_, textures_, image_);
         out_.first_surface_lines[number] = image_.lines();
-        const Scene scene = class_surfaces(*parts_.meshes[made.mesh], made, materials_);
-        for (int b = 0; b < (made.deforms ? buffers_ : 1); ++b) write(scene);
+        for (int b = 0; b < (made.deforms ? buffers_ : 1); ++b)
+            write(scene, step_lattice(), out_.texture_records[number]);
+        return out_.first_surface_lines[number];
     }
 
     /// Writes the surfaces of the scene's own spheres and planes, on the scene's lattice.
@@ -164,12 +176,13 @@ private:
     }
 
     /// Writes the surfaces of a scene whose unit is a lattice step.
-    void write(const Scene& scene) { write(scene, {glm::dvec3(0), glm::dvec3(1), config_.coord_bits}); }
-    void write(const Scene& scene, const Lattice& lattice) {
+    Lattice step_lattice() const { return {glm::dvec3(0), glm::dvec3(1), config_.coord_bits}; }
+    void write(const Scene& scene) { write(scene, step_lattice()); }
+    void write(const Scene& scene, const Lattice& lattice, const std::vector<std::uint32_t>& records = {}) {
         MemoryImage surfaces;
         surfaces.lattice = lattice;
         check_lines(std::uint64_t(image_.lines()) + primitive_count(scene), config_, name_);
-        write_surfaces(scene, config_, name_, surfaces);
+        write_surfaces(scene, records, config_, name_, surfaces);
         image_.words.insert(image_.words.end(), surfaces.words.begin(), surfaces.words.end());
     }
 
@@ -202,6 +215,7 @@ private:
     std::vector<MemoryImage> lowers_;                                  // by class
     std::uint64_t triangles_ = 0;                                      // placed
     std::map<std::uint32_t, std::uint32_t> surfaces_, materials_of_;   // lines, by class and by material
+    TextureLines textures_;
     Words scratch_;
 };
 
@@ -239,6 +253,7 @@ std::vector<PrimData> snapped(const LevelParts& parts, const MeshClass& made, co
 Scene class_surfaces(const SharedMesh& mesh, const MeshClass& made, const std::vector<Material>& materials) {
     Scene part, scene;
     part.vertices = mesh.vertices, part.normals = mesh.normals, part.triangles = mesh.triangles;
+    part.coordinates = mesh.coordinates;
     append(scene, part, made.before, {}, 0);
     if (!made.corners.empty()) scene.vertices = made.corners;
     for (glm::dvec3& at : scene.vertices) at = (at - made.lattice.centre) / made.lattice.pitch;
@@ -262,6 +277,7 @@ bool has_round(const PlacedScene& scene) { return !scene.own.spheres.empty() || 
 
 LevelParts parts_of(const PlacedScene& scene, const SharedMesh& own) {
     LevelParts parts;
+    parts.textures = scene.own.textures;
     if (!own.triangles.empty()) {
         parts.meshes.push_back(&own);
         parts.instances.push_back({"", 0, glm::dmat4(1), {}});
@@ -291,7 +307,7 @@ Places places_of(const PlacedScene& scene) {
 }
 
 SharedMesh own_mesh(const PlacedScene& scene) {
-    return {"", scene.own.vertices, scene.own.normals, scene.own.triangles};
+    return {"", scene.own.vertices, scene.own.normals, scene.own.triangles, scene.own.coordinates};
 }
 
 void check_levels(const PlacedScene& scene, const Config& config, const std::string& name) {

@@ -17,7 +17,8 @@ struct LevelsImage {
     /// By class: most lines of each tree of a mesh that deforms, with one tree per buffer. 0 for other
     /// meshes.
     std::vector<std::uint32_t> rooms;
-    std::vector<std::uint32_t> first_surface_lines;   ///< by class, if the chip shades
+    std::vector<std::uint32_t> first_surface_lines;            ///< by class, if the chip shades
+    std::vector<std::vector<std::uint32_t>> texture_records;   ///< by class: the result of write_textures()
 };
 
 /// Returns the configuration with levels=2. Throws UserError if that combination is not allowed.

@@ -19,6 +19,7 @@ struct LevelParts {
     /// By mesh: its bounds at all times, if it deforms. Empty if none does.
     std::vector<std::optional<Bounds>> deforming{};
     const Scene* round = nullptr;   ///< the scene, if it has spheres or planes
+    std::vector<Texture> textures{};
 
     const Bounds* deforms(std::uint32_t mesh) const {
         return mesh < deforming.size() && deforming[mesh] ? &*deforming[mesh] : nullptr;

@@ -193,7 +193,8 @@ void MovingLevels::draw(Follower& follower, const SharedMesh& mesh, const std::v
         surfaces = levels_.first_surface_lines[c] + std::uint32_t(buffer) * follower.triangles;
         MemoryImage part;
         part.lattice.coord_bits = config_.coord_bits;
-        write_surfaces(class_surfaces(mesh, levels_.maps.classes[c], materials), config_, name_, part);
+        write_surfaces(class_surfaces(mesh, levels_.maps.classes[c], materials), levels_.texture_records[c],
+                       config_, name_, part);
         std::copy(part.words.begin(), part.words.end(),
                   words.begin() + std::ptrdiff_t(std::size_t(surfaces) * words_per_line));
     }

@@ -138,9 +138,11 @@ void write_entries(const std::vector<UpperEntry>& entries, const std::vector<Pla
         std::uint32_t* const line = &words[std::size_t(at.line) * words_per_line];
         std::fill_n(line, words_per_line, 0u);
         const std::uint32_t surfaces = entry.first_surface_line & ((1u << config.addr_bits) - 1);
-        write_payload(Placement{entry.first, entry.root, here[at.entry], surfaces, entry.material,
-                                entry.map->is_same, entry.map->a, entry.map->b},
-                      config, line, scratch);
+        write_payload(
+            Placement{entry.first, entry.root, here[at.entry], surfaces, entry.material, entry.map->is_same,
+                      config.has_textures() ? texel_scale_of(entry.map->a, config) : 0, entry.map->a,
+                      entry.map->b},
+            config, line, scratch);
         set_line_kind(line, LineKind::placement);
     }
 }

@@ -10,6 +10,7 @@
 #include "model/layout/words.hpp"
 #include "model/compile/plane.hpp"
 #include "model/compile/surfaces.hpp"
+#include "model/compile/textures.hpp"
 #include "model/compile/compile.hpp"
 #include "model/compile/lattice.hpp"
 #include "model/base/stopwatch.hpp"
@@ -75,7 +76,11 @@ Upload RefittedScene::next(const Scene& given) {
     image_.report.coincident = coincident;
     image_.report.pitch = image_.lattice.pitch;
     image_.report.bytes = image_.words.size() * sizeof(std::uint32_t);
-    if (config_.has_shade()) write_surfaces(scene, config_, name_, image_);
+    if (config_.has_shade()) {
+        TextureLines textures;
+        const auto records = write_textures(scene, image_.lattice, config_, name_, textures, image_);
+        write_surfaces(scene, records, config_, name_, image_);
+    }
     (is_built ? upload.rebuilt : upload.refitted) = 1;
     upload.cost = tree_.ratio();
     upload.nodes = image_.report.nodes;

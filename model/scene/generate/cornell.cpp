@@ -41,14 +41,14 @@ struct Walls {
     Material green{.name = "green", .colour{0.12, 0.45, 0.15}, .ambient = 0.15, .diffuse = 0.9};
 };
 
-Scene make_room(const Walls& walls);
+Scene make_box(const Walls& walls);
 
 }   // namespace
 
 std::uint64_t cornell_triangles(int) { return room + ceiling_and_lamp + 2 * block_sides; }
 std::uint64_t mirrors_triangles(int) { return cornell_triangles(1) + 2; }
 
-Scene make_cornell(int) { return make_room({}); }
+Scene make_cornell(int) { return make_box({}); }
 
 /// All four walls are mirrors, and the camera is inside: a ray continues until it meets the floor, the
 /// ceiling or a block. The two coloured walls face each other. Each keeps a little of its colour, so one can
@@ -61,14 +61,14 @@ Scene make_mirrors(int) {
         wall->diffuse = 0.25;
         wall->mirror = 0.75;
     }
-    Scene scene = make_room(walls);
+    Scene scene = make_box(walls);
     scene.camera = Camera{{500, 400, 60}, {60, 390, 290}, {0, 1, 0}, 55};   // above the blocks
     return scene;
 }
 
 namespace {
 
-Scene make_room(const Walls& walls) {
+Scene make_box(const Walls& walls) {
     Scene scene;
     scene.background = glm::dvec3(0);
     // A 25 mm film behind a 35 mm lens.

@@ -73,4 +73,7 @@ Scene make_cube(int size);
 std::uint64_t square_triangles(int size);
 Scene make_square(int size);
 
+std::uint64_t room_triangles(int size);
+Scene make_room(int size);   ///< with textures
+
 }   // namespace rayclock

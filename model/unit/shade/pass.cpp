@@ -64,15 +64,27 @@ std::uint32_t pane_of(const Surface& surface, const Config& c) {
     return std::uint32_t(surface.normal[4]) & ((1u << c.panes) - 1);
 }
 
-void arrive(const PassIn& in, const Frame& frame, const Config& c, ShadeState& s) {
-    if (s.depth == 0 && s.sample == 0) {
+/// Sends the hit to tex. The texture event handles the answer.
+void request_texture(const PassIn& in, PassOut& out) {
+    ShadeState& s = out.state;
+    s.next_event = std::uint32_t(ShadeEvent::texture);
+    out.leave = PassOut::Leave::texture;
+    out.tex = {in.ray, s.record, s.path, s.cosine, in.hit.u, in.hit.v, in.placement.texel_scale};
+}
+
+void arrive(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
+    ShadeState& s = out.state;
+    if (s.depth == 0 && s.sample == 0 && s.holes == 0) {
         s.found = in.hit.found, s.prim = in.hit.prim, s.t = in.hit.t, s.u = in.hit.u, s.v = in.hit.v;
     }
     if (in.hit.found) {
         add(s.colour, surf(in, c, s));
         s.across = s.cell ^ pane_of(in.surface, c);
         next_light(s, 0, frame, c);
-        if (c.has_homes()) s.next_event = std::uint32_t(ShadeEvent::transform);
+        if (c.has_homes())
+            s.next_event = std::uint32_t(ShadeEvent::transform);
+        else if (s.record != 0)
+            request_texture(in, out);
         return;
     }
     see_background(s, s.weight, frame);
@@ -142,7 +154,8 @@ void send_shadow(const PassIn& in, const Frame& frame, const Config& c, PassOut&
 
 void send_bounce(const PassIn& in, const Waiting& ray, PassOut& out) {
     ShadeState& s = out.state;
-    s.weight = ray.weight, s.depth = ray.depth, s.cell = ray.cell;
+    s.weight = ray.weight, s.depth = ray.depth, s.cell = ray.cell, s.path = ray.path;
+    s.holes = 0;
     s.next_event = std::uint32_t(ShadeEvent::arrive);
     out.leave = PassOut::Leave::spawn;
     out.spawn = spawn_of(in, s, RayKind::bounce);
@@ -160,6 +173,7 @@ Waiting bounced(const ShadeState& s, const Origin& start, const BounceOut& found
             s.inside ^ std::uint32_t(through),
             through ? s.across : s.cell,
             start.is_far,
+            s.path,
             found.home};
 }
 
@@ -192,6 +206,27 @@ void send_reflected(const PassIn& in, const Frame& frame, const Config& c, PassO
     send_bounce(in, bounced(s, *start, found, false), out);
 }
 
+/// Handles a texture's colour. Where the texture has a hole, the ray goes on from the point in the triangle,
+/// in its own direction (docs/proofs/origins.md, Holes).
+void show_texture(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
+    ShadeState& s = out.state;
+    const Colour ambient = apply_texture(in.texel, s);
+    static_assert(most_holes == (1 << hole_bits) - 1);
+    if (!in.hole || s.holes == most_holes) {
+        add(s.colour, ambient);
+        return next_light(s, 0, frame, c);
+    }
+    ++s.holes;
+    s.next_event = std::uint32_t(ShadeEvent::arrive);
+    out.refracted = true;
+    out.leave = PassOut::Leave::spawn;
+    out.spawn = spawn_of(in, s, RayKind::bounce);
+    for (std::size_t k = 0; k < 3; ++k) out.spawn.o[k] = std::int32_t(s.o[k]);
+    out.spawn.d = in.d;
+    out.spawn.self = s.self, out.spawn.inside = s.inside;
+    if (c.has_homes()) out.spawn.home = home_of(s, in.d, in.placement, c);
+}
+
 /// Finishes a sample, and starts the next one or ends the pixel.
 void finish(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
@@ -207,7 +242,7 @@ void finish(const PassIn& in, const Frame& frame, const Config& c, PassOut& out)
     if (c.supersampling && done < all && !first) {
         s.sample = done;
         s.colour = {};
-        s.weight = full_weight, s.depth = 0, s.cell = 0;
+        s.weight = full_weight, s.depth = 0, s.cell = 0, s.path = 0, s.holes = 0;
         s.next_event = std::uint32_t(ShadeEvent::arrive);
         out.leave = PassOut::Leave::spawn;
         out.spawn = spawn_of(in, s, RayKind::camera);
@@ -241,14 +276,16 @@ PassOut pass(const PassIn& in, const Frame& frame, const Config& c) {
     if (pending == Pending::sure || (pending == Pending::answer && !in.hit.found)) add(s.colour, s.share);
     s.pending = std::uint32_t(Pending::none);
     switch (ShadeEvent(s.next_event)) {
-        case ShadeEvent::arrive: arrive(in, frame, c, s); break;
+        case ShadeEvent::arrive: arrive(in, frame, c, out); break;
         case ShadeEvent::light: send_shadow(in, frame, c, out); break;
         case ShadeEvent::refract: send_refracted(in, frame, c, out); break;
         case ShadeEvent::reflect: send_reflected(in, frame, c, out); break;
         case ShadeEvent::transform:
             transform_surface(in, c, s);
             next_light(s, 0, frame, c);
+            if (s.record != 0) request_texture(in, out);
             break;
+        case ShadeEvent::texture: show_texture(in, frame, c, out); break;
         case ShadeEvent::pop:
             if (s.waiting > 0) {
                 --s.waiting;

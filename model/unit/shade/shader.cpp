@@ -1,6 +1,7 @@
 // Runs the passes of one context.
 #include "model/unit/shade/shader.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 #include "model/scene/hit.hpp"
@@ -38,8 +39,21 @@ RayPurpose Shader::purpose() const {
                                           : RayPurpose::refraction;
 }
 
+void Shader::read_texture() {
+    Texture read{out_.tex, unpack<TexRecord>(image_->line(out_.tex.record), *config_), {}, {}};
+    read.place = texel_place(read.request, read.record, frame_->shade.spread, *config_);
+    Line texels;
+    std::copy_n(image_->line(read.place.line), texels.size(), texels.begin());
+    read.answer = filter_texels(texels, read.place, config_->texels);
+    read.answer.ray = read.request.ray;
+    in_.texel = read.answer.colour, in_.hole = read.answer.hole;
+    if (watch_) watch_->filtered(read.request, read.record, read.place, read.answer);
+    texture_ = read;
+}
+
 int Shader::run() {
     int passes = 0;
+    texture_.reset();
     do {
         const ShadeEvent event = ShadeEvent(in_.state.next_event);
         if (event == ShadeEvent::pop && in_.state.waiting > 0) in_.top = stack_.back();
@@ -58,7 +72,8 @@ int Shader::run() {
         count(event);
         last_ = event;
         ++passes;
-    } while (out_.leave == PassOut::Leave::again);
+        if (out_.leave == PassOut::Leave::texture) read_texture();
+    } while (out_.leave == PassOut::Leave::again || out_.leave == PassOut::Leave::texture);
     return passes;
 }
 

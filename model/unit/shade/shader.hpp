@@ -1,11 +1,13 @@
 #pragma once
 // The work of the unit shade on one context, without timing.
+#include <optional>
 #include <vector>
 
 #include "model/layout/memory_image.hpp"
 #include "model/scene/hit.hpp"
 #include "model/scene/whitted.hpp"
 #include "model/unit/shade/pass.hpp"
+#include "model/unit/tex/texel.hpp"
 
 namespace rayclock {
 
@@ -16,6 +18,8 @@ public:
     virtual void sent(const Ray& ray) = 0;
     virtual void answered(const Closest& hit) = 0;
     virtual void passed(const PassIn& in, const PassOut& out) = 0;
+    /// A texture's colour has come.
+    virtual void filtered(const TexReq&, const TexRecord&, const TexelPlace&, const TexRsp&) {}
 };
 
 /// *What* shade does with one context: from a pixel's first camera ray to its colour, ray by ray, pass by
@@ -51,7 +55,7 @@ public:
             if (material_line() != 0) in_.surface = in_.surface.with_material(surface_at(material_line()));
         }
         lines_ = !config_->has_homes() ? 0 : material_line() != 0 ? 2 : 1;
-        counts_.primary_hits += is_arrival() && hit.found && in_.state.depth == 0;
+        counts_.primary_hits += is_arrival() && hit.found && in_.state.depth == 0 && in_.state.holes == 0;
     }
     /// True if a surface must arrive before the next pass. surface_line() is its line.
     bool wants_surface() const { return is_arrival() && in_.hit.found != 0; }
@@ -77,6 +81,15 @@ public:
     int run();
     bool is_finished() const { return out_.leave == PassOut::Leave::pixel; }
     const Spawn& spawn() const { return out_.spawn; }
+    /// The texture of the last answer's surface, for callers that see its requests one by one.
+    struct Texture {
+        TexReq request;
+        TexRecord record;
+        TexelPlace place;
+        TexRsp answer;
+    };
+    /// Returns the texture that the last run() has read; null if it read none.
+    const Texture* texture() const { return texture_ ? &*texture_ : nullptr; }
     /// Returns the purpose of that ray.
     RayPurpose purpose() const;
     const Pixel& pixel() const { return out_.pixel; }
@@ -88,6 +101,7 @@ public:
 private:
     bool is_arrival() const { return in_.state.next_event == std::uint32_t(ShadeEvent::arrive); }
     void count(ShadeEvent event);
+    void read_texture();
 
     const Frame* frame_;
     const Config* config_;
@@ -97,6 +111,7 @@ private:
     PassIn in_;
     PassOut out_;
     std::vector<Waiting> stack_;
+    std::optional<Texture> texture_;
     RayCounts counts_;
     PathSignature signature_;
     int lines_ = 0;   ///< lines that are still to come before the surface

@@ -12,6 +12,7 @@ enum class ShadeEvent : std::uint32_t {
     reflect,
     pop,         ///< the next waiting ray, or the sample's end
     transform,   ///< with two levels, after arrive: maps the surface from the mesh's space to the scene's
+    texture,     ///< after these, on a triangle with a texture: its colour has come
 };
 
 /// When the next pass adds the contribution of a light at its beginning.
@@ -31,6 +32,8 @@ struct ShadeState {
     std::uint32_t weight = 0, depth = 0;
     std::uint32_t cell = 0;     ///< a bit for each pane, set if it lies between the ray and the eye
     std::uint32_t across = 0;   ///< the cell on the other side of the surface that was hit
+    std::uint32_t path = 0;     ///< with textures: length of the path so far, as in TexReq
+    std::uint32_t holes = 0;    ///< with textures: that the ray has gone through; at most most_holes
     // The surface that was hit.
     Vec3l o{};       ///< B fraction bits: a point exactly on it (nearly on it for a sphere or an instance)
     Vec3l inner{};   ///< with two levels: a point exactly on it in the mesh's space, B fraction bits
@@ -45,6 +48,7 @@ struct ShadeState {
     std::array<std::uint32_t, 3> albedo{};   ///< from here on as in Surface
     std::uint32_t diffuse = 0, highlight = 0, mirror = 0, transmit = 0, shine = 0, ratio = 0, schlick = 0,
                   r0 = 0;
+    std::uint32_t ambient = 0, record = 0;   ///< with textures
     // The light.
     std::uint32_t light = 0;
     std::array<std::uint32_t, 3> share{};   ///< its contribution if it is not blocked
@@ -72,6 +76,10 @@ struct ShadeState {
             v_("in_cell", cell, c.panes);
             v_("across", across, c.panes);
         }
+        if (c.has_textures()) {
+            v_("path", path, c.t_bits());
+            v_("holes", holes, hole_bits);
+        }
         v_("o", o, c.point_width(), 3);
         v_("normal", normal, unit_bits + 2, 3);
         v_("view", view, unit_bits + 2, 3);
@@ -92,6 +100,10 @@ struct ShadeState {
         v_("highlight", highlight, share_bits + 1);
         v_("mirror", mirror, unit_bits + 1);
         v_("shine", shine, shine_bits);
+        if (c.has_textures()) {
+            v_("ambient", ambient, share_bits + 1);
+            v_("record", record, c.addr_bits);
+        }
         v_("transmit", transmit, unit_bits + 1);
         v_("ratio", ratio, ratio_bits);
         v_("schlick", schlick, 1);
@@ -106,6 +118,7 @@ struct Waiting {
     Vec3i o{}, d{};   ///< B fraction bits; M bits
     std::uint32_t weight = 0, depth = 0, self = 0, inside = 0;
     std::uint32_t cell = 0, partial = 0;   ///< as in ShadeState and Ray
+    std::uint32_t path = 0;                ///< as in ShadeState
     Home home;                             ///< its d has M bits here
     template <class V> void fields(V& v, const Config& c) {
         v("o", o, c.origin_width(), 3);
@@ -116,6 +129,7 @@ struct Waiting {
         v("is_inside", inside, 1);
         if (c.panes > 0) v("in_cell", cell, c.panes);
         if (c.horizon) v("is_partial", partial, 1);
+        if (c.has_textures()) v("path", path, c.t_bits());
         if (!c.has_homes()) return;
         v("home", home.line, c.addr_bits);
         v("home_o", home.o, c.origin_width(), 3);
@@ -130,10 +144,12 @@ ShadeState fresh_state(std::uint32_t x, std::uint32_t y);
 struct PassIn {
     std::uint32_t ray = 0;
     ShadeState state;
-    Closest hit;       ///< the last ray's answer
-    Vec3i o{}, d{};    ///< of the last camera ray or bounce
-    Surface surface;   ///< of an arrive event with a hit
-    Waiting top;       ///< of a pop event: the stack's top
+    Closest hit;                            ///< the last ray's answer
+    Vec3i o{}, d{};                         ///< of the last camera ray or bounce
+    Surface surface;                        ///< of an arrive event with a hit
+    Waiting top;                            ///< of a pop event: the stack's top
+    std::array<std::uint32_t, 3> texel{};   ///< of a texture event: TexRsp::colour
+    std::uint32_t hole = 0;                 ///< of a texture event: as in TexRsp
     /// With two levels: the instance that was hit last. Only `here`, a and b are used.
     Placement placement{};
 };
@@ -144,10 +160,11 @@ struct LightParts {
     std::uint32_t phong = 0;
 };
 struct PassOut {
-    enum class Leave : std::uint32_t { again, spawn, pixel } leave = Leave::again;
+    enum class Leave : std::uint32_t { again, spawn, pixel, texture } leave = Leave::again;
     ShadeState state;
     Spawn spawn;
     Pixel pixel;
+    TexReq tex;
     bool push = false;   ///< push `pushed` on the stack; a pop event that spawns removes the top
     Waiting pushed;
     LightParts light;         ///< of a light event

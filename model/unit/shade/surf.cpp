@@ -134,11 +134,35 @@ std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& c, ShadeState&
     state.shine = s.shine, state.schlick = s.schlick, state.r0 = s.r0;
     state.ratio = in.hit.back ? s.leave : s.enter;
 
+    if (c.has_textures()) {
+        state.ambient = s.ambient, state.record = s.record;
+        state.path = path_to(in, c);
+        if (s.record != 0) return {};   // the texture event adds it
+    }
+    return ambient_light(state, s.ambient);
+}
+
+std::array<std::uint32_t, 3> ambient_light(const ShadeState& state, std::uint32_t share) {
     std::array<std::uint32_t, 3> ambient{};
     for (std::size_t k = 0; k < 3; ++k)
         ambient[k] =
-            std::uint32_t(rounded(std::uint64_t(state.weight) * s.ambient * state.albedo[k], 2 * share_bits));
+            std::uint32_t(rounded(std::uint64_t(state.weight) * share * state.albedo[k], 2 * share_bits));
     return ambient;
+}
+
+std::array<std::uint32_t, 3> apply_texture(const std::array<std::uint32_t, 3>& texel, ShadeState& state) {
+    for (std::size_t k = 0; k < 3; ++k) state.albedo[k] = rounded(state.albedo[k] * texel[k], share_bits);
+    return ambient_light(state, state.ambient);
+}
+
+std::uint32_t path_to(const PassIn& in, const Config& c) {
+    std::array<std::uint32_t, 3> size{};
+    for (std::size_t k = 0; k < 3; ++k) size[k] = std::uint32_t(std::abs(in.d[k]));
+    std::ranges::sort(size);
+    const std::uint32_t sum = size[2] + (size[1] >> 2) + (size[1] >> 3) + (size[0] >> 2) + (size[0] >> 4);
+    const std::uint64_t length = sum >> (c.dir_bits - 1 - length_bits);
+    const std::uint64_t path = in.state.path + (length * in.hit.t >> length_bits);
+    return std::uint32_t(std::min<std::uint64_t>(path, (1u << c.t_bits()) - 1));
 }
 
 }   // namespace rayclock

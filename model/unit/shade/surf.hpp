@@ -5,7 +5,7 @@
 namespace rayclock {
 
 /// Handles a surface's arrival in a pass: fills the state's fields about the surface that the ray hit, and
-/// returns the ambient contribution. Mirror of rtl/unit/shade/rc_surf.sv.
+/// returns the ambient contribution, 0 if a texture follows. Mirror of rtl/unit/shade/rc_surf.sv.
 /// - Triangle: o = a + u (b - a) + v (c - a), exactly in its plane and strictly inside
 ///   (docs/proofs/origins.md). u and v have B + fine fraction bits, and o has B.
 /// - Plane: the same, with u and v rounded to B fraction bits. `far` is set if o lies beyond the lattice.
@@ -14,6 +14,18 @@ namespace rayclock {
 ///
 /// With two levels all this is in the mesh's space, until transform_surface().
 std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& config, ShadeState& state);
+
+/// Returns the length of the path to the hit: path + t |d|, rounded down, as in TexReq. |d| counts as its
+/// largest component plus 3/8 of the second and 5/16 of the smallest, and as 1 for 2^(M-1). Its logarithm is
+/// between 0.041 too small and 0.155 too large. ShadeFrame::spread is smaller by the middle, length_bias.
+/// Mirror of rtl/unit/shade/rc_path_length.sv.
+std::uint32_t path_to(const PassIn& in, const Config& config);
+
+/// Multiplies the albedo by a texture's colour, and returns the ambient contribution.
+std::array<std::uint32_t, 3> apply_texture(const std::array<std::uint32_t, 3>& texel, ShadeState& state);
+
+/// Returns the contribution of ambient light. `share`: the surface's weight for it.
+std::array<std::uint32_t, 3> ambient_light(const ShadeState& state, std::uint32_t share);
 
 /// Maps the surface to the scene's space, for two levels. o becomes `inner`, and the ray at t, rounded to
 /// nearest, replaces it. The unit normal becomes A^T times itself, normalised, since n' . x' = n' . A x. View

@@ -15,13 +15,15 @@ namespace rayclock {
 /// With two levels it requests the instance first. Once that has arrived, which is always accepted, it
 /// requests the surface. Requests for surfaces have priority over those for instances.
 ///
-/// The pipeline accepts surfaces first, then contexts that need another pass, then those whose ray hit
-/// nothing or was a shadow ray. Its answers are always accepted: a context continues with its next ray, its
-/// pixel's end, or another pass. In a fast chip the unit sees a ray's answer two cycles after its arrival.
-/// Mirror of rtl/unit/shade/rc_shade.sv.
+/// A hit of a texture leaves for tex, and makes its next pass when the colour has come.
+///
+/// The pipeline accepts surfaces first, then contexts that need another pass, then those whose texture has
+/// come, then those whose ray hit nothing or was a shadow ray. Its answers are always accepted: a context
+/// continues with its next ray, its pixel's end, or another pass. In a fast chip the unit sees a ray's answer
+/// two cycles after its arrival. Mirror of rtl/unit/shade/rc_shade.sv.
 class Shade {
 public:
-    enum class Leave : std::uint8_t { again, spawn, pixel };
+    enum class Leave : std::uint8_t { again, spawn, pixel, texture };
 
     explicit Shade(const Config& config)
         : fetch_(config.contexts),
@@ -30,6 +32,8 @@ public:
           again_(config.contexts),
           spawns_(config.contexts),
           pixels_(config.contexts),
+          textures_(config.has_textures() ? config.contexts : 1),
+          textured_(config.has_textures() ? config.contexts : 1),
           pass_(config.shade_latency(), config.shade_queue),
           closest_delay_(std::size_t(Stages(config).closest_delay)),
           hold_cycles_(std::uint32_t(config.shade_interval - 1)) {}
@@ -52,7 +56,12 @@ public:
         if (is_occupied()) return 0;
         return offers(surface) ? (pass_.ready() ? 0 : 3) : surface_waits ? 1 : 2;
     }
-    bool offers(bool surface) const { return surface | !again_.empty() | !arrived_.empty(); }
+    bool offers(bool surface) const {
+        return surface | !again_.empty() | !arrived_.empty() | !textured_.empty();
+    }
+    /// A hit waits for tex to accept it.
+    bool texture_valid() const { return !textures_.empty(); }
+    std::uint32_t texture_ray() const { return textures_.front(); }
     bool spawn_valid() const { return !spawns_.empty(); }
     std::uint32_t spawn_ray() const { return spawns_.front(); }
     bool pixel_valid() const { return !pixels_.empty(); }
@@ -64,28 +73,33 @@ public:
 
     const char* where(std::uint32_t ray) const {
         const auto r = RayNumber(ray);
-        return fetch_.contains(r) || places_.contains(r)    ? "shade: waits for the link to surf_cache"
-               : arrived_.contains(r) || again_.contains(r) ? "shade: waits for a pass"
-               : pass_.contains(r)                          ? "shade: in a pass"
-               : spawns_.contains(r)                        ? "shade: waits for raygen"
-               : pixels_.contains(r)                        ? "shade: waits for its pixel to be taken"
-               : is_coming(ray)                             ? "shade: has just got its answer"
-                                                            : nullptr;
+        return fetch_.contains(r) || places_.contains(r) ? "shade: waits for the link to surf_cache"
+               : arrived_.contains(r) || again_.contains(r) || textured_.contains(r)
+                   ? "shade: waits for a pass"
+               : textures_.contains(r) ? "shade: waits for tex"
+               : pass_.contains(r)     ? "shade: in a pass"
+               : spawns_.contains(r)   ? "shade: waits for raygen"
+               : pixels_.contains(r)   ? "shade: waits for its pixel to be taken"
+               : is_coming(ray)        ? "shade: has just got its answer"
+                                       : nullptr;
     }
 
     /// The next need of a ray after its answer.
     enum class Wants : std::uint8_t { nothing, surface, place };
     /// One clock edge. `closest`, `wants`: the ray whose answer arrived, and its need. `surface`, `place`:
     /// the rays whose surface and whose instance arrived. The last flags: these outputs were accepted.
-    /// `turn(ray)` returns the outcome of a pass.
-    template <bool levels = false, class Decide>
+    /// `textured`: the ray whose texture's colour came; `texture_taken`: tex accepted a hit. `turn(ray)`
+    /// returns the outcome of a pass.
+    template <bool levels = false, bool textures = false, class Decide>
     void clock(std::uint64_t now, LinkRay closest, Wants wants, LinkRay surface, LinkRay place,
-               bool surf_taken, bool spawn_taken, bool pixel_taken, Decide&& turn) {
+               bool surf_taken, bool spawn_taken, bool pixel_taken, LinkRay textured, bool texture_taken,
+               Decide&& turn) {
         for (std::size_t i = 0; i < closest_delay_; ++i) {   // the unit sees an arrival in a later cycle
             std::swap(closest, came_[i]);
             std::swap(wants, came_wants_[i]);
         }
-        const bool open = ready(), again = !again_.empty(), arrived = !arrived_.empty();
+        const bool open = ready(), again = !again_.empty(), arrived = !arrived_.empty(),
+                   shown = textures && !textured_.empty();
         const bool answer = pass_.valid(now);
         const RayNumber done = pass_.front();
         if constexpr (levels) {
@@ -100,17 +114,24 @@ public:
         pixels_.pop(pixel_taken);
         const RayNumber next = surface.valid ? RayNumber(surface.ray)
                                : again       ? again_.front()
+                               : shown       ? textured_.front()
                                              : arrived_.front();
-        const bool enters = open & (surface.valid | again | arrived);
+        const bool enters = open & (surface.valid | again | shown | arrived);
         pass_.clock(now, answer, enters, next);
         hold_left_ = enters ? hold_cycles_ : hold_left_ - is_occupied();
         again_.pop(open & !surface.valid & again);
-        arrived_.pop(open & !surface.valid & !again & arrived);
+        arrived_.pop(open & !surface.valid & !again & !shown & arrived);
+        if constexpr (textures) {
+            textured_.pop(open & !surface.valid & !again & shown);
+            textures_.pop(texture_taken);
+        }
         if (answer) switch (turn(done)) {
                 case Leave::again: again_.push(done); break;
                 case Leave::spawn: spawns_.push(done); break;
                 case Leave::pixel: pixels_.push(done); break;
+                case Leave::texture: textures_.push(done); break;
             }
+        if constexpr (textures) textured_.push(RayNumber(textured.ray), textured.valid);
         if constexpr (levels) {
             fetch_.push(RayNumber(place.ray), place.valid);
             places_.push(RayNumber(closest.ray), closest.valid & (wants == Wants::place));
@@ -126,6 +147,7 @@ private:
     }
 
     RayRing fetch_, places_, arrived_, again_, spawns_, pixels_;
+    RayRing textures_, textured_;   // hits that wait for tex; those whose colour has come
     Pipe<RayNumber> pass_;
     Merge surf_link_;               // of fetch_ and places_
     std::size_t closest_delay_;     // cycles until an answer is seen

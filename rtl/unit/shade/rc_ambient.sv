@@ -1,6 +1,7 @@
-// The colour of a surface where it was hit, and the contribution of ambient light. Part of rc_surf,
-// which has the valid bits. The colour is in the registers of s6, the light in those of s7. Model:
-// model/unit/shade/surf.hpp.
+// The colour of a surface where it was hit, and the contribution of ambient light. On a surface
+// with a texture that is 0, until the texture's colour has come: its pass multiplies the colour.
+// Part of rc_surf, which has the valid bits. The colour is in the registers of s6, the light in
+// those of s7. Model: model/unit/shade/surf.hpp.
 `default_nettype none
 module rc_ambient #(
   localparam int unsigned ValueBits  = rc_pkg::ValueBits,
@@ -14,6 +15,11 @@ module rc_ambient #(
   input  logic [ValueBits-1:0]    s0_weight_i,
   input  logic                    s0_odd_i,   // odd square of a checker
   input  logic                    s0_ends_i,  // beyond the range in which squares are distinct
+  // The pass of a texture's colour: the surface's colour so far, its ambient share, the texture's
+  input  logic                    s0_texture_i,
+  input  logic [3*ColourBits-1:0] s0_albedo_i,
+  input  logic [ColourBits-1:0]   s0_share_i,
+  input  logic [3*ColourBits-1:0] s0_texel_i,
   output logic [3*ColourBits-1:0] s6_albedo_o,
   output logic [3*ValueBits-1:0]  s7_ambient_o
 );
@@ -22,13 +28,41 @@ module rc_ambient #(
   logic [3*ColourBits-1:0] s0_colour, s0_other, s5_colour, s5_other;
   logic [ValueBits+ColourBits-1:0] s0_weighted, s6_weighted;
 
-  assign s0_checkered = s0_surface_i.checkered;
-  assign s0_colour    = s0_surface_i.colour;
+  assign s0_checkered = s0_surface_i.checkered && !s0_texture_i;
   assign s0_other     = s0_surface_i.other;
 
   // The ray's weight times the ambient share.
   logic [ColourBits-1:0] s0_ambient;
-  assign s0_ambient = s0_surface_i.ambient;
+
+  if (rc_pkg::HasTextures == 1) begin : gen_texture
+    localparam int unsigned TintW = 2 * ColourBits;
+    logic [3*TintW-1:0]      tint;
+    logic [3*ColourBits-1:0] tinted, plain;
+
+    rc_mul_held #(.AW(ColourBits), .BW(ColourBits), .Signed(1'b0), .Products(3)) u_tint (
+      .clk_i, .phase_i(phase_i[Every-1:0]), .a_i(s0_albedo_i), .b_i(s0_texel_i), .p_o(tint));
+
+    for (genvar k = 0; k < 3; k++) begin : gen_tinted
+      logic [TintW-1:0] rounded;
+
+      assign rounded = tint[k*TintW +: TintW] + TintW'(1 << (rc_pkg::ShareBits - 1));
+      assign tinted[k*ColourBits +: ColourBits] = rounded[rc_pkg::ShareBits +: ColourBits];
+
+      logic unused;
+      assign unused = ^rounded;
+    end
+
+    assign plain      = s0_surface_i.colour;
+    assign s0_colour  = s0_texture_i ? tinted : plain;
+    assign s0_ambient = s0_texture_i ? s0_share_i
+                      : s0_surface_i.record != '0 ? '0 : s0_surface_i.ambient;
+  end else begin : gen_plain
+    assign s0_colour  = s0_surface_i.colour;
+    assign s0_ambient = s0_surface_i.ambient;
+
+    logic unused;
+    assign unused = ^{s0_albedo_i, s0_share_i, s0_texel_i};
+  end
 
   rc_mul_held #(.AW(ValueBits), .BW(ColourBits), .Signed(1'b0)) u_weigh (
     .clk_i, .phase_i(phase_i[Every-1:0]), .a_i(s0_weight_i), .b_i(s0_ambient), .p_o(s0_weighted));

@@ -32,6 +32,10 @@ module rc_contexts #(
   input  logic                         place_fires_i,
   input  logic [RayBits-1:0]           place_ray_i,
   input  logic [PlaceW-1:0]            place_i,
+  // With textures: whether a texture has a hole, and its colour
+  input  logic                         texel_fires_i,
+  input  logic [RayBits-1:0]           texel_ray_i,
+  input  logic [3*rc_pkg::ColourBits:0] texel_i,
   // To rc_pass
   input  logic                         read_i,
   input  logic [RayBits-1:0]           read_ray_i,
@@ -42,6 +46,7 @@ module rc_contexts #(
   output rc_pkg::shade_state_t         state_o,
   output logic [rc_pkg::WaitingW-1:0]  top_o,
   output logic [PlaceW-1:0]            place_o,
+  output logic [3*rc_pkg::ColourBits:0] texel_o,
   // From rc_pass: a pass has begun with a surface that has this material
   input  logic                         material_valid_i,
   input  logic [RayBits-1:0]           material_ray_i,
@@ -50,7 +55,7 @@ module rc_contexts #(
   // changes
   input  logic                         write_i,
   input  logic [RayBits-1:0]           write_ray_i,
-  input  logic [3:0]                   changes_i,      // point, inner, face, share
+  input  logic [4:0]                   changes_i,      // point, inner, face, albedo, share
   input  rc_pkg::shade_state_t         write_state_i,
   input  logic                         push_i,
   input  logic [rc_pkg::WaitingW-1:0]  pushed_i
@@ -165,8 +170,10 @@ module rc_contexts #(
   logic [rc_pkg::ShadeStateW-1:0] new_state, kept_state;
   logic [rc_pkg::MaterialW-1:0]   end_look;   // was written when the pass began
   logic                           writes_point, writes_inner, writes_face, writes_share;
+  logic                           writes_albedo;
 
-  assign {writes_point, writes_inner, writes_face, writes_share} = changes_i & {4{writes}};
+  assign {writes_point, writes_inner, writes_face, writes_albedo, writes_share} =
+      changes_i & {5{writes}};
 
   assign new_state = write_state_i;
   assign {new_face, new_share, new_sample, new_waits, end_look} = new_state[PlaceAt-1:0];
@@ -216,9 +223,33 @@ module rc_contexts #(
     .clk_i, .rst_ni, .write_i(writes_point), .write_addr_i(write_ray_i), .write_data_i(new_point),
     .read_i(reads), .read_addr_i(reads_ray), .read_data_o(point));
 
-  rc_context_ram #(.Width(FaceW), .Depth(Contexts), .Parts(Parts)) u_face (
-    .clk_i, .rst_ni, .write_i(writes_face), .write_addr_i(write_ray_i), .write_data_i(new_face),
-    .read_i(reads), .read_addr_i(reads_ray), .read_data_o(face));
+  // A texture changes the albedo, in the lowest bits of the face.
+  if (rc_pkg::HasTextures == 1) begin : gen_albedo
+    localparam int unsigned AlbedoW = 3 * rc_pkg::ColourBits;
+
+    rc_context_ram #(.Width(FaceW - AlbedoW), .Depth(Contexts), .Parts(Parts)) u_face (
+      .clk_i, .rst_ni, .write_i(writes_face), .write_addr_i(write_ray_i),
+      .write_data_i(new_face[FaceW-1:AlbedoW]), .read_i(reads), .read_addr_i(reads_ray),
+      .read_data_o(face[FaceW-1:AlbedoW]));
+
+    rc_context_ram #(.Width(AlbedoW), .Depth(Contexts), .Parts(Parts)) u_albedo (
+      .clk_i, .rst_ni, .write_i(writes_albedo), .write_addr_i(write_ray_i),
+      .write_data_i(new_face[AlbedoW-1:0]), .read_i(reads), .read_addr_i(reads_ray),
+      .read_data_o(face[AlbedoW-1:0]));
+
+    rc_context_ram #(.Width(AlbedoW + 1), .Depth(Contexts)) u_texel (
+      .clk_i, .rst_ni, .write_i(texel_fires_i), .write_addr_i(texel_ray_i),
+      .write_data_i(texel_i), .read_i(reads), .read_addr_i(reads_ray), .read_data_o(texel_o));
+  end else begin : gen_no_albedo
+    rc_context_ram #(.Width(FaceW), .Depth(Contexts), .Parts(Parts)) u_face (
+      .clk_i, .rst_ni, .write_i(writes_face), .write_addr_i(write_ray_i), .write_data_i(new_face),
+      .read_i(reads), .read_addr_i(reads_ray), .read_data_o(face));
+
+    assign texel_o = '0;
+
+    logic unused;
+    assign unused = ^{writes_albedo, texel_fires_i, texel_ray_i, texel_i};
+  end
 
   rc_context_ram #(.Width(ShareW), .Depth(Contexts), .Parts(Parts)) u_share (
     .clk_i, .rst_ni, .write_i(writes_share), .write_addr_i(write_ray_i), .write_data_i(new_share),
@@ -291,13 +322,25 @@ module rc_contexts #(
     end
   end
 
+  rc_pkg::shade_state_t begun_path;
+
+  if (rc_pkg::HasTextures == 1) begin : gen_path
+    always_comb begin
+      begun_path = begun;
+      if (fresh) begun_path.path  = '0;
+      if (fresh) begun_path.holes = '0;
+    end
+  end else begin : gen_no_path
+    assign begun_path = begun;
+  end
+
   if (rc_pkg::Panes != 0) begin : gen_panes
     always_comb begin
-      state_o = begun;
+      state_o = begun_path;
       if (fresh) state_o.in_cell = '0;
     end
   end else begin : gen_no_panes
-    assign state_o = begun;
+    assign state_o = begun_path;
   end
 
   rc_flags #(.Flags(Contexts)) u_fresh (

@@ -38,6 +38,8 @@ module rc_pass #(
   input  rc_pkg::waiting_t         top_i,
   // With two levels: the instance that was hit; line 0 if the ray is the same in it.
   input  rc_pkg::shade_place_t     place_i,
+  // With textures: what has come from tex, a hole or a colour
+  input  logic [3*ColourBits:0]    texel_i,
   // To rc_contexts: the hit surface's material at the start of a pass, and the state at its end
   output logic                        material_valid_o,
   output logic [RayBits-1:0]          material_ray_o,
@@ -45,13 +47,14 @@ module rc_pass #(
   output logic                        end_valid_o,
   output logic [RayBits-1:0]          end_ray_o,
   output rc_pkg::shade_state_t        end_state_o,
-  output logic [3:0]                  changes_o,   // groups of end_state_o
+  output logic [4:0]                  changes_o, // groups of end_state_o
   output logic                        push_o,  // a ray must wait
   output logic [rc_pkg::WaitingW-1:0] pushed_o,
   // Outputs of the pass
   output logic [1:0]                leave_o,  // rc_pkg::leave_e
   output logic [rc_pkg::SpawnW-1:0] spawn_o,
-  output logic [rc_pkg::PixelW-1:0] pixel_o
+  output logic [rc_pkg::PixelW-1:0] pixel_o,
+  output logic [rc_pkg::TexReqW-1:0] tex_req_o
 );
   localparam int unsigned Stages     = rc_pkg::ShadeStages;
   localparam int unsigned Every      = rc_pkg::ShadeInterval;
@@ -79,6 +82,7 @@ module rc_pass #(
   rc_pkg::surface_t           surface;
   rc_pkg::waiting_t           top_came;
   rc_pkg::shade_place_t place;
+  logic [3*ColourBits:0]      texel;
 
   if (Every == 1) begin : gen_as_it_comes
     assign valid    = valid_i;
@@ -90,6 +94,7 @@ module rc_pass #(
     assign surface  = surface_i;
     assign top_came = top_i;
     assign place    = place_i;
+    assign texel    = texel_i;
   end else begin : gen_held
     localparam int unsigned RayW = RayBits + rc_pkg::ShadeHitW + 3 * OriginWidth + 3 * M
                                  + rc_pkg::ShadePlaceW;
@@ -103,6 +108,9 @@ module rc_pass #(
     rc_shift_register #(.Width(rc_pkg::ShadeStateW + rc_pkg::SurfaceW), .Stages(1)) u_state (
       .clk_i, .enable_i(valid_i), .data_i({state_i, surface_i}), .data_o({state, surface}));
 
+    rc_shift_register #(.Width(3 * ColourBits + 1), .Stages(1)) u_texel (
+      .clk_i, .enable_i(valid_i), .data_i(texel_i), .data_o(texel));
+
     rc_shift_register #(.Width(rc_pkg::WaitingW), .Stages(1)) u_top_came (
       .clk_i, .enable_i(valid), .data_i(top_i), .data_o(top_came));
   end
@@ -111,6 +119,7 @@ module rc_pass #(
   // ends[i]: a pass leaves stage i; the last bit: a pass is complete
   logic [Stages:0]             ends;
   logic                        back, s0_surf, s0_light, s0_refract, s0_bounce, s0_end, s0_transform;
+  logic                        s0_texture;
   logic [TBits-1:0]            t;
   logic [UvBits-1:0]           u, v;
   logic [3*ValueBits-1:0]      colour;
@@ -125,7 +134,8 @@ module rc_pass #(
   rc_pass_begin u_begin (
     .valid_i(ends[0]), .state_i(state), .hit_i(hit), .surface_i(surface),
     .surf_o(s0_surf), .light_o(s0_light), .bounce_o(s0_bounce), .refract_o(s0_refract),
-    .transform_o(s0_transform), .end_o(s0_end), .colour_o(colour), .has_material_o(has_material),
+    .transform_o(s0_transform), .texture_o(s0_texture), .end_o(s0_end), .colour_o(colour),
+    .has_material_o(has_material),
     .material_o, .known_o(known));
 
   // immediately: inputs of several cycles stay stable
@@ -152,9 +162,10 @@ module rc_pass #(
   assign end_valid_o  = ends[Stages];
 
   // The events of the passes that leave their stages.
-  // face: surf or transform
-  logic [Stages:0] surf_at, light_at, bounce_at, end_at, transform_at, face_at;
-  logic [Stages:1] surf_q, light_q, bounce_q, end_q, transform_q_at;
+  // face: surf or transform. tone: surf or texture
+  logic [Stages:0] surf_at, light_at, bounce_at, end_at, transform_at, texture_at, face_at, tone_at;
+  logic [Stages:0] sends_at;   // light, bounce or texture: a ray may start
+  logic [Stages:1] surf_q, light_q, bounce_q, end_q, transform_q_at, texture_q;
 
   always_ff @(posedge clk_i) begin
     for (int i = 0; i < Stages; i++)
@@ -164,6 +175,7 @@ module rc_pass #(
         bounce_q[i+1] <= bounce_at[i];
         end_q[i+1]    <= end_at[i];
         transform_q_at[i+1] <= transform_at[i];
+        texture_q[i+1]      <= texture_at[i];
       end
   end
 
@@ -173,15 +185,19 @@ module rc_pass #(
     assign bounce_at    = {bounce_q, s0_bounce};
     assign end_at       = {end_q, s0_end};
     assign transform_at = {transform_q_at, s0_transform};
+    assign texture_at   = {texture_q, s0_texture};
   end else begin : gen_goes_on
     assign surf_at      = {surf_q & ends[Stages:1], s0_surf};
     assign light_at     = {light_q & ends[Stages:1], s0_light};
     assign bounce_at    = {bounce_q & ends[Stages:1], s0_bounce};
     assign end_at       = {end_q & ends[Stages:1], s0_end};
     assign transform_at = {transform_q_at & ends[Stages:1], s0_transform};
+    assign texture_at   = {texture_q & ends[Stages:1], s0_texture};
   end
 
   assign face_at = surf_at | transform_at;
+  assign tone_at = surf_at | texture_at;
+  assign sends_at = light_at | bounce_at | texture_at;
 
   // ---- State known at the start of the pass: delayed to the end.
   logic                   goes_on, mirrors, transmits;  // goes_on: one cycle before the first stage
@@ -219,10 +235,28 @@ module rc_pass #(
   logic [3*ColourBits-1:0] s6_albedo, surf_albedo;
   logic [3*ValueBits-1:0]  s7_ambient, surf_ambient;
 
+  logic [3*ColourBits-1:0] albedo;
+  logic [ColourBits-1:0]   share;   // of ambient light
+
+  assign albedo = state.albedo;
+
+  // Operands of products must stay for all cycles of a stage; s0_texture is valid in the last one.
+  logic s0_is_texture;
+
+  assign s0_is_texture = rc_pkg::HasTextures == 1 && state.next_event == rc_pkg::EventTexture;
+
+  if (rc_pkg::HasTextures == 1) begin : gen_share
+    assign share = state.ambient;
+  end else begin : gen_no_share
+    assign share = '0;
+  end
+
   rc_surf #(.UnitW(UnitW)) u_surf (
     .clk_i, .valid_i(surf_at[6:0]), .phase_i(phase[7*Every-1:0]), .s0_u_i(u), .s0_v_i(v),
     .s0_t_i(t), .s0_back_i(back),
     .s0_surface_i(surface), .s0_o_i(o), .s0_d_i(d), .s0_weight_i(state.weight),
+    .tone_valid_i(tone_at[6:0]), .s0_texture_i(s0_is_texture), .s0_albedo_i(albedo),
+    .s0_share_i(share), .s0_texel_i(texel[3*ColourBits-1:0]),
     .s5_o_o(s5_o), .s5_n_o(s5_n), .s5_toward_o(s5_toward), .s5_far_o(s5_far),
     .s5_lost_o(s5_lost),
     .s6_albedo_o(s6_albedo), .s7_ambient_o(s7_ambient));
@@ -235,12 +269,47 @@ module rc_pass #(
     .data_o({surf_o, surf_n, surf_far, surf_lost}));
 
   rc_stage_delay #(.Width(3 * ColourBits), .Stages(Out - 6), .Parts(rc_pkg::ShadeParts)) u_albedo (
-    .clk_i, .rst_ni, .enter_i(surf_at[6]), .leave_i(surf_at[Out]), .data_i(s6_albedo),
+    .clk_i, .rst_ni, .enter_i(tone_at[6]), .leave_i(tone_at[Out]), .data_i(s6_albedo),
     .data_o(surf_albedo));
 
   rc_stage_delay #(.Width(3 * ValueBits), .Stages(Out - 7), .Parts(rc_pkg::ShadeParts)) u_ambient (
-    .clk_i, .rst_ni, .enter_i(surf_at[7]), .leave_i(surf_at[Out]), .data_i(s7_ambient),
+    .clk_i, .rst_ni, .enter_i(tone_at[7]), .leave_i(tone_at[Out]), .data_i(s7_ambient),
     .data_o(surf_ambient));
+
+  // ---- With textures: the length of the path, and u and v, which tex gets.
+  logic [TBits-1:0]  surf_path;
+  logic [UvBits-1:0] face_u, face_v;
+  logic              end_hole;   // the texture has a hole: the ray goes on
+  logic [3*M-1:0]    s15_old_d;  // in its direction
+
+  if (rc_pkg::HasTextures == 1) begin : gen_path
+    logic [TBits-1:0] s3_path;
+
+    rc_stage_delay #(.Width(3 * M), .Stages(15)) u_old_d (
+      .clk_i, .rst_ni, .enter_i(s0_texture), .leave_i(texture_at[15]), .data_i(d),
+      .data_o(s15_old_d));
+
+    rc_stage_delay #(.Width(1), .Stages(Out), .Parts(rc_pkg::ShadeParts)) u_hole (
+      .clk_i, .rst_ni, .enter_i(s0_texture), .leave_i(texture_at[Out]),
+      .data_i(texel[3*ColourBits]), .data_o(end_hole));
+
+    rc_path_length u_path_length (
+      .clk_i, .valid_i(surf_at[2:0]), .s1_phase_i(phase[Every +: Every]),
+      .s0_path_i(state.path), .s0_t_i(t), .s0_d_i(d), .s3_path_o(s3_path));
+
+    rc_stage_delay #(.Width(TBits), .Stages(Out - 3), .Parts(rc_pkg::ShadeParts)) u_path (
+      .clk_i, .rst_ni, .enter_i(surf_at[3]), .leave_i(surf_at[Out]), .data_i(s3_path),
+      .data_o(surf_path));
+
+    rc_stage_delay #(.Width(2 * UvBits), .Stages(Out), .Parts(rc_pkg::ShadeParts)) u_uv (
+      .clk_i, .rst_ni, .enter_i(face_at[0]), .leave_i(face_at[Out]), .data_i({u, v}),
+      .data_o({face_u, face_v}));
+  end else begin : gen_no_path
+    assign {surf_path, face_u, face_v, end_hole, s15_old_d} = '0;
+
+    logic unused;
+    assign unused = texel[3*ColourBits];
+  end
 
   // ---- Unit vectors and cosines.
   logic [3*ToLightW-1:0] s5_to;
@@ -321,6 +390,7 @@ module rc_pass #(
 
   for (genvar k = 0; k < 3; k++) begin : gen_d
     assign s15_d[k*RayDirBits +: RayDirBits] = light_q[15] ? s15_light_d[k*RayDirBits +: RayDirBits]
+                             : texture_q[15] ? RayDirBits'($signed(s15_old_d[k*M +: M]))
                                           : RayDirBits'($signed(s15_bounce_d[k*M +: M]));
   end
 
@@ -335,14 +405,15 @@ module rc_pass #(
     .data_o({end_above, end_below}));
 
   rc_stage_delay #(.Width(3 * RayDirBits + 1), .Stages(Out - 15), .Parts(rc_pkg::ShadeParts)) u_d (
-    .clk_i, .rst_ni, .enter_i(light_at[15] || bounce_at[15]),
-    .leave_i(light_at[Out] || bounce_at[Out]), .data_i({s15_d, s15_cosine != '0}),
+    .clk_i, .rst_ni, .enter_i(sends_at[15]), .leave_i(sends_at[Out]),
+    .data_i({s15_d, s15_cosine != '0}),
     .data_o({end_d, end_positive}));
 
   // ---- With two levels: from a mesh's space, and into it.
   logic [3*OriginWidth-1:0]    turned_o, end_home_o;
   logic [3*RayDirBits-1:0]     end_home_d;
   logic [rc_pkg::AddrBits-1:0] end_home;
+  logic [rc_pkg::LevelBits-1:0] end_scale;   // of the instance's texels
 
   if (rc_pkg::Homes == 1) begin : gen_homes
     localparam int unsigned MapBits    = rc_pkg::MapBits;
@@ -362,7 +433,7 @@ module rc_pass #(
       .s0_o_i(o),
       .s0_d_i(d), .s0_t_i(t), .s0_normal_i(state.normal), .s0_a_i(map_a),
       .s5_toward_o(s5_turned), .s5_o_o(s5_turned_o),
-      .leave_0_i(s0_light || s0_bounce), .leave_valid_i(light_at[18:15] | bounce_at[18:15]),
+      .leave_0_i(sends_at[0]), .leave_valid_i(sends_at[18:15]),
       .s15_phase_i(phase[15*Every +: Every]), .s0_b_i(map_b), .s0_inner_i(state.inner),
       .s15_near_i(light_q[15] && s15_near), .s15_place_i(s15_place), .s15_d_i(s15_d),
       .s19_o_o(s19_home_o), .s19_d_o(s19_home_d));
@@ -377,15 +448,24 @@ module rc_pass #(
     rc_stage_delay #(.Width(3 * (OriginWidth + RayDirBits)), .Stages(Out - 19),
                      .Parts(rc_pkg::ShadeParts))
     u_home (
-      .clk_i, .rst_ni, .enter_i(light_at[19] || bounce_at[19]),
-      .leave_i(light_at[Out] || bounce_at[Out]), .data_i({s19_home_o, s19_home_d}),
+      .clk_i, .rst_ni, .enter_i(sends_at[19]), .leave_i(sends_at[Out]),
+      .data_i({s19_home_o, s19_home_d}),
       .data_o({end_home_o, end_home_d}));
 
     rc_stage_delay #(.Width(rc_pkg::AddrBits), .Stages(Out), .Parts(rc_pkg::ShadeParts)) u_here (
-      .clk_i, .rst_ni, .enter_i(s0_light || s0_bounce || s0_transform),
-      .leave_i(light_at[Out] || bounce_at[Out] || transform_at[Out]), .data_i(here),
+      .clk_i, .rst_ni, .enter_i(sends_at[0] || s0_transform),
+      .leave_i(sends_at[Out] || transform_at[Out]), .data_i(here),
       .data_o(end_home));
+    if (rc_pkg::HasTextures == 1) begin : gen_scale
+      rc_stage_delay #(.Width(rc_pkg::LevelBits), .Stages(Out), .Parts(rc_pkg::ShadeParts))
+      u_scale (
+        .clk_i, .rst_ni, .enter_i(s0_transform), .leave_i(transform_at[Out]),
+        .data_i(place.texel_scale), .data_o(end_scale));
+    end else begin : gen_no_scale
+      assign end_scale = '0;
+    end
   end else begin : gen_one_space
+    assign end_scale = '0;
     assign side_d    = s15_d;
     assign s5_turned = '0;
     assign {turned_o, end_home, end_home_o, end_home_d} = '0;
@@ -479,7 +559,10 @@ module rc_pass #(
 
   // ---- s28: end of the pass.
   rc_pass_end u_end (
-    .clk_i, .take_i(ends[Stages-1]), .frame_i, .ray_i(end_ray), .begin_state_i(begin_state),
+    .clk_i, .take_i(ends[Stages-1]), .frame_i, .path_i(surf_path), .u_i(face_u), .v_i(face_v),
+    .hole_i(end_hole),
+    .scale_i(end_scale),
+    .ray_i(end_ray), .begin_state_i(begin_state),
     .mirrors_i(mirrors),
     .transmits_i(transmits), .top_i(top), .surf_o_i(surf_o), .surf_n_i(surf_n),
     .surf_i(Cut ? surf_q[Stages-1] : surf_at[Stages]),
@@ -494,10 +577,11 @@ module rc_pass #(
     .positive_i(end_positive), .d_i(end_d), .enters_i(enters), .entry_i(entry), .up_i(end_up),
     .weight_i(bounce_weight), .total_i(bounce_total), .more_i(end_more), .sum_i(end_sum),
     .least_i(end_least), .most_i(end_most), .mean_i(end_mean),
-    .ray_o(end_ray_o), .state_o(end_state_o), .changes_o, .leave_o, .spawn_o, .pixel_o, .push_o,
-    .pushed_o);
+    .ray_o(end_ray_o), .state_o(end_state_o), .changes_o, .leave_o, .spawn_o, .pixel_o, .tex_req_o,
+    .push_o, .pushed_o);
 
   logic unused;
-  assign unused = ^{hit, phase, ends, surf_at, light_at, bounce_at, end_at, face_at};
+  assign unused = ^{hit, phase, ends, surf_at, light_at, bounce_at, end_at, face_at, tone_at,
+                    sends_at};
 endmodule
 `default_nettype wire

@@ -19,6 +19,7 @@ module rc_pass_begin #(
   output logic                   refract_o,  // refracted, not reflected
   // a result of a mesh's space is transformed to the scene's
   output logic                   transform_o,
+  output logic                   texture_o,  // the colour of the surface's texture has come
   output logic                   end_o,      // a waiting ray, or the end of the sample
   // State
   output logic [3*ValueBits-1:0] colour_o,   // including what was pending
@@ -29,6 +30,7 @@ module rc_pass_begin #(
 
   // Event.
   logic                arrives, found, back;   // arrives: a camera ray or bounce is done
+  logic                first;                  // through no hole of a texture
   logic [PrimBits-1:0] prim;
   logic [TBits-1:0]    t;
   logic [UvBits-1:0]   u, v;
@@ -40,6 +42,12 @@ module rc_pass_begin #(
   assign u     = hit_i.u;
   assign v     = hit_i.v;
 
+  if (rc_pkg::HasTextures == 1) begin : gen_first
+    assign first = state_i.holes == '0;
+  end else begin : gen_always_first
+    assign first = 1'b1;
+  end
+
   assign arrives        = state_i.next_event == rc_pkg::EventArrive;
   assign has_material_o = arrives && found;
   assign surf_o         = valid_i && has_material_o;
@@ -48,6 +56,8 @@ module rc_pass_begin #(
   assign bounce_o       = valid_i && (refract_o || state_i.next_event == rc_pkg::EventReflect);
   assign transform_o    = valid_i && rc_pkg::Homes == 1
       && state_i.next_event == rc_pkg::EventTransform;
+  assign texture_o      = valid_i && rc_pkg::HasTextures == 1
+      && state_i.next_event == rc_pkg::EventTexture;
   assign end_o          = valid_i && state_i.next_event == rc_pkg::EventPop;
 
   // The light's share counts if nothing was in its way.
@@ -67,13 +77,13 @@ module rc_pass_begin #(
   end
 
   // The state.
-  rc_pkg::shade_state_t known;
+  rc_pkg::shade_state_t known, known_texture;
 
   always_comb begin
     known         = state_i;
     known.colour  = colour_o;
     known.pending = rc_pkg::PendingNone;
-    if (arrives && state_i.depth == '0 && state_i.sample == '0) begin
+    if (arrives && first && state_i.depth == '0 && state_i.sample == '0) begin
       known.found = found;
       known.prim  = prim;
       known.t     = t;
@@ -102,14 +112,29 @@ module rc_pass_begin #(
                   ? normal[4*rc_pkg::CornerBits +: rc_pkg::Panes] : '0;
 
     always_comb begin
-      known_o = known;
+      known_o = known_texture;
       if (has_material_o) known_o.across = state_i.in_cell ^ pane;
     end
 
     logic unused_normal;
     assign unused_normal = ^normal;
   end else begin : gen_no_panes
-    assign known_o = known;
+    assign known_o = known_texture;
+  end
+
+  if (rc_pkg::HasTextures == 1) begin : gen_texture
+    always_comb begin
+      known_texture = known;
+      if (has_material_o) begin
+        known_texture.ambient = surface_i.ambient;
+        known_texture.record  = surface_i.record;
+      end
+    end
+
+    assign material_o.ambient = known_texture.ambient;
+    assign material_o.record  = known_texture.record;
+  end else begin : gen_no_texture
+    assign known_texture = known;
   end
 
   assign material_o.diffuse   = known.diffuse;

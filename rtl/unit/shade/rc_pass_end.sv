@@ -41,6 +41,12 @@ module rc_pass_end #(
   input  logic [3*rc_pkg::ColourBits-1:0] surf_albedo_i,
   input  logic [3*ValueBits-1:0]   surf_ambient_i,
   input  logic [3*ValueBits-1:0]   background_i,
+  // With textures, from rc_path_length: the path's length; and the hit's u and v
+  input  logic [rc_pkg::TBits-1:0]  path_i,
+  input  logic [rc_pkg::UvBits-1:0] u_i,
+  input  logic [rc_pkg::UvBits-1:0] v_i,
+  input  logic                     hole_i,   // the texture has a hole
+  input  logic [rc_pkg::LevelBits-1:0] scale_i,   // with two levels: of the instance's texels
   // With two levels, from rc_instance_space: a surface was transformed; the ray in the mesh's space
   input  logic                     transform_i,
   input  logic [3*OriginWidth-1:0] transform_o_i,
@@ -72,12 +78,13 @@ module rc_pass_end #(
   // The context's new state, and the outputs
   output logic [RayBits-1:0]                 ray_o,
   output rc_pkg::shade_state_t               state_o,
-  output logic [3:0]                         changes_o,   // groups of state_o, as in rc_contexts
+  output logic [4:0]                         changes_o, // groups of state_o, as in rc_contexts
   output logic                               push_o,
   output logic [rc_pkg::WaitingW-1:0]        pushed_o,
   output logic [1:0]                         leave_o,  // rc_pkg::leave_e
   output logic [rc_pkg::SpawnW-1:0]          spawn_o,
-  output logic [rc_pkg::PixelW-1:0]          pixel_o
+  output logic [rc_pkg::PixelW-1:0]          pixel_o,
+  output logic [rc_pkg::TexReqW-1:0]         tex_req_o
 );
   localparam int unsigned Cut = rc_pkg::ShadeCut;
 
@@ -85,18 +92,20 @@ module rc_pass_end #(
   logic [2:0] event_now;
   logic       waits;   // a refracted ray waits
   logic       is_arrive, is_light, is_refract, is_reflect, is_pop, is_end, is_next;
+  logic       is_texture, texture_now;
 
+  assign texture_now = rc_pkg::HasTextures == 1 && event_now == rc_pkg::EventTexture;
   assign event_now = begin_state_i.next_event;
   assign waits     = rc_pkg::Refraction == 1 && begin_state_i.waiting != '0;
 
-  rc_path_register #(.Width(7), .Stages(Cut)) u_event (
+  rc_path_register #(.Width(8), .Stages(Cut)) u_event (
     .clk_i,
-    .data_i({event_now == rc_pkg::EventArrive, event_now == rc_pkg::EventLight,
+    .data_i({texture_now, event_now == rc_pkg::EventArrive, event_now == rc_pkg::EventLight,
              rc_pkg::Refraction == 1 && event_now == rc_pkg::EventRefract,
              event_now == rc_pkg::EventReflect, event_now == rc_pkg::EventPop && waits,
              event_now == rc_pkg::EventPop && !waits,
              event_now == rc_pkg::EventPop && !waits && more_i}),
-    .data_o({is_arrive, is_light, is_refract, is_reflect, is_pop, is_end, is_next}));
+    .data_o({is_texture, is_arrive, is_light, is_refract, is_reflect, is_pop, is_end, is_next}));
 
   // ---- Colour.
   logic [3*ValueBits-1:0] begin_colour, added, colour;
@@ -104,7 +113,7 @@ module rc_pass_end #(
   assign begin_colour = begin_state_i.colour;
 
   rc_path_register #(.Width(3 * ValueBits), .Stages(Cut)) u_added (
-    .clk_i, .data_i(surf_i ? surf_ambient_i : background_i), .data_o(added));
+    .clk_i, .data_i(surf_i || texture_now ? surf_ambient_i : background_i), .data_o(added));
 
   for (genvar k = 0; k < 3; k++) begin : gen_channel
     logic [17:0] sum;
@@ -124,7 +133,7 @@ module rc_pass_end #(
   assign far        = begin_state_i.is_far;
   assign starts     = !far || (!begin_state_i.is_lost && enters_i);
   assign beyond     = rc_pkg::Horizon == 1 && far && !begin_state_i.is_lost && !enters_i;
-  assign next_light = surf_i || transform_i ? '0 : begin_state_i.light + 7'd1;
+  assign next_light = surf_i || transform_i || texture_now ? '0 : begin_state_i.light + 7'd1;
   assign follows    = begin_state_i.depth >= frame_i.depth ? rc_pkg::EventPop
                     : rc_pkg::Refraction == 1 && transmits_i ? rc_pkg::EventRefract
                     : mirrors_i ? rc_pkg::EventReflect : rc_pkg::EventPop;
@@ -197,10 +206,19 @@ module rc_pass_end #(
 
   // ---- New state. Groups that have not changed are not written, and are arbitrary.
   logic       turned;
-  logic [3:0] changes;   // point, inner, face, share
+  logic [4:0] changes;   // point, inner, face, albedo, share
 
   assign turned  = transform_i && home_i != '0;   // otherwise the result in the scene's space stays
-  assign changes = {surf_i || turned, transform_i, surf_i, is_light};
+  assign changes = {surf_i || turned, transform_i, surf_i, surf_i || is_texture, is_light};
+
+  // Through a hole of a texture the ray goes on, but not through more than a few.
+  logic goes_on;
+
+  if (rc_pkg::HasTextures == 1) begin : gen_holes
+    assign goes_on = is_texture && hole_i && begin_state_i.holes != '1;
+  end else begin : gen_no_holes
+    assign goes_on = 1'b0;
+  end
 
   rc_pkg::shade_state_t next;
 
@@ -225,7 +243,12 @@ module rc_pass_end #(
 
     if (transform_i) next.next_event = after;
 
-    if (is_arrive || escapes) next.colour = colour;
+    if (is_texture) begin
+      next.light      = '0;
+      next.next_event = goes_on ? rc_pkg::EventArrive : after;
+    end
+
+    if (is_arrive || escapes || (is_texture && !goes_on)) next.colour = colour;
 
     if (is_light) begin
       next.light      = light;
@@ -270,17 +293,61 @@ module rc_pass_end #(
     end
   end
 
-  rc_pkg::shade_state_t sided, now;
+  rc_pkg::shade_state_t textured, sided, now;
   logic [1:0]           leave;
+
+  // A surface with a texture leaves for tex, with two levels after it was transformed.
+  rc_pkg::tex_req_t           request;
+  logic                       asks_texture;
+  logic [rc_pkg::TexReqW-1:0] tex_req;
+
+  if (rc_pkg::HasTextures == 1) begin : gen_texture
+
+    assign asks_texture = (rc_pkg::Homes == 1 ? transform_i : surf_i)
+                       && begin_state_i.record != '0;
+
+    always_comb begin
+      textured = next;
+      if (asks_texture) textured.next_event = rc_pkg::EventTexture;
+      if (surf_i)       textured.path       = path_i;
+      if (is_pop)       textured.path       = top_i.path;
+      if (is_next)      textured.path       = '0;
+      if (goes_on)      textured.holes      = begin_state_i.holes + 1'b1;
+      if (is_pop || is_next || reflects) textured.holes = '0;
+    end
+
+    assign request.ray    = ray_i;
+    assign request.record = begin_state_i.record;
+    assign request.path   = surf_i ? path_i : begin_state_i.path;
+    assign request.cosine = surf_i || turned ? surf_cosine_i : begin_state_i.cosine;
+    assign request.u      = u_i;
+    assign request.v      = v_i;
+    assign tex_req        = request;
+
+    if (rc_pkg::Homes == 1) begin : gen_scale
+      assign request.scale = scale_i;
+    end else begin : gen_no_scale
+      logic unused;
+      assign unused = ^scale_i;
+    end
+  end else begin : gen_no_texture
+    assign textured     = next;
+    assign asks_texture = 1'b0;
+    assign request      = '0;
+    assign tex_req      = request;
+
+    logic unused;
+    assign unused = ^{path_i, u_i, v_i, hole_i, scale_i};
+  end
 
   if (rc_pkg::Panes != 0) begin : gen_cell
     always_comb begin
-      sided = next;
+      sided = textured;
       if (is_pop) sided.in_cell = top_i.in_cell;
       if (is_next) sided.in_cell = '0;
     end
   end else begin : gen_no_cell
-    assign sided = next;
+    assign sided = textured;
   end
 
   if (rc_pkg::Homes == 1) begin : gen_inner
@@ -292,7 +359,8 @@ module rc_pass_end #(
     assign now = sided;
   end
 
-  assign leave   = shadows || reflects || is_pop || is_next ? rc_pkg::LeaveSpawn
+  assign leave   = asks_texture ? rc_pkg::LeaveTexture
+                 : shadows || reflects || goes_on || is_pop || is_next ? rc_pkg::LeaveSpawn
                  : is_end ? rc_pkg::LeavePixel : rc_pkg::LeaveAgain;
 
   // ---- Rays. First the waiting ray, which rc_contexts pushes.
@@ -336,6 +404,10 @@ module rc_pass_end #(
 
   if (rc_pkg::Panes != 0) begin : gen_waiting_cell
     assign waiting.in_cell = begin_state_i.across;
+  end
+
+  if (rc_pkg::HasTextures == 1) begin : gen_waiting_path
+    assign waiting.path = begin_state_i.path;
   end
 
   if (rc_pkg::Horizon == 1) begin : gen_waiting_partial   // planes only
@@ -423,16 +495,16 @@ module rc_pass_end #(
 
   // ---- Outputs, in three parts: Verilator 5.006 does not compile a concatenation of a thousand
   // bits.
-  localparam int unsigned ContextW = RayBits + rc_pkg::ShadeStateW + 4 + 1;
+  localparam int unsigned ContextW = RayBits + rc_pkg::ShadeStateW + 5 + 1;
   localparam int unsigned RaysW    = rc_pkg::WaitingW + rc_pkg::SpawnW;
-  localparam int unsigned EndW     = 2 + rc_pkg::PixelW;
+  localparam int unsigned EndW     = 2 + rc_pkg::PixelW + rc_pkg::TexReqW;
   logic [ContextW-1:0] made_context, kept_context;
   logic [RaysW-1:0]    made_rays, kept_rays;
   logic [EndW-1:0]     made_end, kept_end;
 
   assign made_context = {ray_i, now, changes, pushes};
   assign made_rays    = {waiting, spawn};
-  assign made_end     = {leave, pixel};
+  assign made_end     = {leave, pixel, tex_req};
 
   if (Cut == 0) begin : gen_now
     assign kept_context = made_context;
@@ -453,7 +525,7 @@ module rc_pass_end #(
 
   assign {ray_o, state_o, changes_o, push_o} = kept_context;
   assign {pushed_o, spawn_o}      = kept_rays;
-  assign {leave_o, pixel_o}       = kept_end;
+  assign {leave_o, pixel_o, tex_req_o} = kept_end;
 
   logic unused;
   assign unused = ^{frame_i, top_i, begin_origin, turned_o, inner, found_o, home_i};

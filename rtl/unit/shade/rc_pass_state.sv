@@ -28,6 +28,7 @@ module rc_pass_state #(
   logic [StateW-1:0] known;
   logic [FrontW-1:0] front;
   rc_pkg::shade_samples_t known_many, many;
+  rc_pkg::shade_state_t   kept;
   logic                     is_far, is_lost, total, is_inside;
   logic [DepthBits-1:0]     waiting;
   logic [PrimBits-1:0]      self;
@@ -56,18 +57,44 @@ module rc_pass_state #(
   end
 
   always_comb begin
-    begin_state_o   = {front, {(StateW-FrontW){1'b0}}};
-    begin_state_o.is_far = is_far;
-    begin_state_o.is_lost = is_lost;
-    begin_state_o.total = total;
-    begin_state_o.is_inside = is_inside;
-    begin_state_o.waiting = waiting;
-    begin_state_o.self = self;
-    begin_state_o.sample = many.sample;
-    begin_state_o.sum = many.sum;
-    begin_state_o.least = many.least;
-    begin_state_o.most = many.most;
+    kept   = {front, {(StateW-FrontW){1'b0}}};
+    kept.is_far = is_far;
+    kept.is_lost = is_lost;
+    kept.total = total;
+    kept.is_inside = is_inside;
+    kept.waiting = waiting;
+    kept.self = self;
+    kept.sample = many.sample;
+    kept.sum = many.sum;
+    kept.least = many.least;
+    kept.most = many.most;
   end
+  // With textures: the texture's record, and for an instance that has no map the old cosine.
+  if (rc_pkg::HasTextures == 1) begin : gen_texture
+    localparam int unsigned CosineW = rc_pkg::Homes == 1 ? rc_pkg::ValueBits : 1;
+    logic [rc_pkg::AddrBits-1:0] record;
+    logic [CosineW-1:0]          cosine;
+    logic [rc_pkg::ValueBits-1:0] known_cosine;
+
+    assign known_cosine = known_i.cosine;
+
+    rc_stage_delay #(.Width(rc_pkg::AddrBits + CosineW), .Stages(Stages),
+                     .Parts(rc_pkg::ShadeParts)) u_texture (
+      .clk_i, .rst_ni, .enter_i, .leave_i, .data_i({known_i.record, known_cosine[CosineW-1:0]}),
+      .data_o({record, cosine}));
+
+    always_comb begin
+      begin_state_o        = kept;
+      begin_state_o.record = record;
+      begin_state_o.cosine = rc_pkg::ValueBits'(cosine);
+    end
+
+    logic unused;
+    assign unused = ^known_cosine;
+  end else begin : gen_no_texture
+    assign begin_state_o = kept;
+  end
+
   logic unused;
   assign unused = ^{known, known_many};
 endmodule

@@ -5,11 +5,13 @@
 // With two levels it requests the instance first, whose line has the address of the surfaces. An
 // instance is always accepted.
 //
+// A hit on a surface with a texture goes to tex, and makes its next pass when the colour has come.
+//
 // A pass enters every ShadeInterval cycles. Passes whose surface is there go first, then contexts
-// that need another pass, then answers of other rays. Latency rc_pkg::ShadeLatency + 1 from a pass
-// to its output, more if the context passes again. closest_i is always accepted; slot_i and ray_i
-// are observed. The user holds frame_i while rays are in flight. Model: model/unit/shade/unit.hpp
-// (timing), model/unit/shade/pass.hpp (values).
+// that need another pass, then those whose texture has come, then answers of other rays. Latency
+// rc_pkg::ShadeLatency + 1 from a pass to its output, more if the context passes again. closest_i
+// is always accepted; slot_i and ray_i are observed. The user holds frame_i while rays are in
+// flight. Model: model/unit/shade/unit.hpp (timing), model/unit/shade/pass.hpp (values).
 `default_nettype none
 module rc_shade (
   input  logic              clk_i,
@@ -32,6 +34,12 @@ module rc_shade (
   output logic              surf_rsp_ready_o,
   input  rc_pkg::surf_rsp_t surf_rsp_i,
   input  logic              surf_waits_i,      // the cache waits for memory
+  // To and from tex
+  output logic              tex_req_valid_o,
+  input  logic              tex_req_ready_i,
+  output rc_pkg::tex_req_t  tex_req_o,
+  input  logic              tex_rsp_fires_i,
+  input  rc_pkg::tex_rsp_t  tex_rsp_i,
   // To raygen
   output logic              spawn_valid_o,
   input  logic              spawn_ready_i,
@@ -119,6 +127,8 @@ module rc_shade (
                                     + 3 * rc_pkg::ValueBits + rc_pkg::ShineBits
                                     + 2 * rc_pkg::RatioBits;
   localparam int unsigned SchlickAt = rc_pkg::SurfaceW - 5;   // after kind, smooth, checkered
+  // After these and fine.
+  localparam int unsigned RecordAt  = rc_pkg::SurfaceW - 8 - AddrBits;
 
   // placing: the line that comes is an instance or its material. placed: an instance is accepted.
   // taken: either is accepted. came: a surface has come.
@@ -181,6 +191,10 @@ module rc_shade (
     assign place_data.a    = instance_came.a;
     assign place_data.b    = instance_came.b;
 
+    if (rc_pkg::HasTextures == 1) begin : gen_texel_scale
+      assign place_data.texel_scale = instance_came.texel_scale;
+    end
+
     always_ff @(posedge clk_i) begin
       if (placed)  placing_q[came_ray]    <= 1'b0;
       if (answers) placing_q[closest_ray] <= wants_surface;
@@ -212,7 +226,18 @@ module rc_shade (
       if (lent_q[came_ray]) lent[SchlickAt]     = material[LentW];
     end
 
-    assign surface_found = lent;
+    if (rc_pkg::HasTextures == 1) begin : gen_no_lent_texture
+      logic [rc_pkg::SurfaceW-1:0] plain;   // without a texture
+
+      always_comb begin
+        plain = lent;
+        if (lent_q[came_ray]) plain[RecordAt +: AddrBits] = '0;
+      end
+
+      assign surface_found = plain;
+    end else begin : gen_lent
+      assign surface_found = lent;
+    end
 
     rc_ram #(.Width(AddrBits), .Depth(Contexts)) u_prim (
       .clk_i, .write_i(answers), .write_addr_i(closest_ray),
@@ -256,10 +281,15 @@ module rc_shade (
 
   assign open        = room && !occupied;
   assign surf_rsp_ready_o = open || placing;
-  assign enters      = open && (came || again_valid || arrived_valid);
-  assign again_pop   = open && !came && again_valid;
-  assign arrived_pop = open && !came && !again_valid && arrived_valid;
-  assign ray         = came ? surf_rsp_i.ray : again_valid ? again_ray : arrived_ray;
+  logic               textured_valid, textured_pop;
+  logic [RayBits-1:0] textured_ray;
+
+  assign enters       = open && (came || again_valid || textured_valid || arrived_valid);
+  assign again_pop    = open && !came && again_valid;
+  assign textured_pop = open && !came && !again_valid && textured_valid;
+  assign arrived_pop  = open && !came && !again_valid && !textured_valid && arrived_valid;
+  assign ray          = came ? surf_rsp_i.ray : again_valid ? again_ray
+                      : textured_valid ? textured_ray : arrived_ray;
 
   if (Every == 1) begin : gen_never_rests
     assign occupied = 1'b0;
@@ -277,7 +307,7 @@ module rc_shade (
   always_comb begin
     if (occupied)
       cause_o = rc_pkg::ShadeBusyWork;
-    else if (came || again_valid || arrived_valid)
+    else if (came || again_valid || textured_valid || arrived_valid)
       cause_o = open ? rc_pkg::ShadeBusyWork : rc_pkg::ShadeStalledQueue;
     else
       cause_o = surf_waits_i ? rc_pkg::ShadeStarvedMemory : rc_pkg::ShadeStarvedList;
@@ -293,7 +323,14 @@ module rc_shade (
   logic [RayBits-1:0]                end_ray, material_ray;
   logic                              material_valid;
   rc_pkg::material_t                 hit_material;
-  logic [3:0]                        changes;
+  logic [4:0]                        changes;
+  logic [3*rc_pkg::ColourBits:0]     texel;
+  logic [rc_pkg::TexReqW-1:0]        tex_req;
+  logic [RayBits-1:0]                texel_ray;
+  logic [3*rc_pkg::ColourBits:0]     texel_came;
+
+  assign texel_ray  = tex_rsp_i.ray;
+  assign texel_came = {tex_rsp_i.hole, tex_rsp_i.colour};
   logic [1:0]                        leave;
   logic                              push;
   logic [rc_pkg::SpawnW-1:0]         spawn;
@@ -332,6 +369,8 @@ module rc_shade (
     .closest_fires_i(closest_valid_i), .closest_ray_i(closest_i.ray),
     .closest_hit_i(closest_hit), .read_i(enters), .read_ray_i(ray), .read_valid_o(passes),
     .place_fires_i(placed), .place_ray_i(surf_rsp_i.ray), .place_i(place_data),
+    .texel_fires_i(tex_rsp_fires_i), .texel_ray_i(texel_ray), .texel_i(texel_came),
+    .texel_o(texel),
     .hit_o(hit), .o_o(o), .d_o(d), .state_o(state), .top_o(top), .place_o(place),
     .material_valid_i(material_valid), .material_ray_i(material_ray), .material_i(hit_material),
     .write_i(end_valid),
@@ -341,9 +380,11 @@ module rc_shade (
   rc_pass u_pass (
     .clk_i, .rst_ni, .frame_i(shade_frame), .valid_i(passes), .ray_i(pass_ray), .state_i(state),
     .hit_i(hit), .o_i(o), .d_i(d), .surface_i(surface), .top_i(top), .place_i(place),
+    .texel_i(texel),
     .material_valid_o(material_valid), .material_ray_o(material_ray), .material_o(hit_material),
     .end_valid_o(end_valid), .end_ray_o(end_ray), .end_state_o(end_state), .changes_o(changes),
-    .leave_o(leave), .spawn_o(spawn), .pixel_o(pixel), .push_o(push), .pushed_o(pushed));
+    .leave_o(leave), .spawn_o(spawn), .pixel_o(pixel), .tex_req_o(tex_req),
+    .push_o(push), .pushed_o(pushed));
 
   // ---- Output: again (C), a ray (D), the pixel (E). Data of rays and pixels waits in memories by
   // context, or, with an interval above 1, in the queues.
@@ -406,6 +447,35 @@ module rc_shade (
       .pop_i(pixel_valid_o && pixel_ready_i), .data_o({pixel_ray, pixel_data}));
   end
 
+  // ---- With textures: hits on their way to tex, and contexts whose texture has come.
+  if (rc_pkg::HasTextures == 1) begin : gen_textures
+    localparam int unsigned TexDataW = rc_pkg::TexReqW - RayBits;
+    logic [RayBits-1:0]  tex_ray;
+    logic [TexDataW-1:0] tex_data;
+    logic                texture_leaves;
+
+    assign texture_leaves = out_valid && out_leave == rc_pkg::LeaveTexture;
+
+    rc_queue #(.Width(RayBits), .Depth(Contexts)) u_texture (
+      .clk_i, .rst_ni, .push_i(texture_leaves), .data_i(out_ray), .valid_o(tex_req_valid_o),
+      .pop_i(tex_req_valid_o && tex_req_ready_i), .data_o(tex_ray));
+
+    rc_ram #(.Width(TexDataW), .Depth(Contexts)) u_texture_data (
+      .clk_i, .write_i(end_valid && leave == rc_pkg::LeaveTexture), .write_addr_i(end_ray),
+      .write_data_i(TexDataW'(tex_req)), .read_addr_i(tex_ray), .read_data_o(tex_data));
+
+    assign tex_req_o = {tex_ray, tex_data};
+
+    rc_queue #(.Width(RayBits), .Depth(Contexts)) u_textured (
+      .clk_i, .rst_ni, .push_i(tex_rsp_fires_i), .data_i(texel_ray),
+      .valid_o(textured_valid), .pop_i(textured_pop), .data_o(textured_ray));
+  end else begin : gen_no_textures
+    assign {tex_req_valid_o, tex_req_o, textured_valid, textured_ray} = '0;
+
+    logic unused;
+    assign unused = ^{tex_req_ready_i, tex_rsp_fires_i, textured_pop, tex_req};
+  end
+
   assign spawn_o = {spawn_ray, spawn_data};
   assign pixel_o = {pixel_ray, pixel_data};
 
@@ -416,6 +486,7 @@ module rc_shade (
 `endif
 
   logic unused;
-  assign unused = ^{frame_flat, closest_prim, out_ready, closest_i, spawn, pixel, surf_rsp};
+  assign unused = ^{frame_flat, closest_prim, out_ready, closest_i, spawn, pixel, surf_rsp,
+                    tex_req};
 endmodule
 `default_nettype wire

@@ -29,6 +29,12 @@ module rc_surf #(
   input  logic [3*OriginWidth-1:0] s0_o_i,
   input  logic [3*M-1:0]           s0_d_i,
   input  logic [ValueBits-1:0]     s0_weight_i,
+  // The same for passes of a surface or of a texture's colour, and the inputs of the latter
+  input  logic [6:0]               tone_valid_i,
+  input  logic                     s0_texture_i,
+  input  logic [3*rc_pkg::ColourBits-1:0] s0_albedo_i,
+  input  logic [rc_pkg::ColourBits-1:0]   s0_share_i,
+  input  logic [3*rc_pkg::ColourBits-1:0] s0_texel_i,
   // Results
   output logic [3*PointWidth-1:0]  s5_o_o,
   output logic [3*NormalBits-1:0]  s5_n_o,
@@ -318,7 +324,8 @@ module rc_surf #(
 
   // The colour there.
   rc_ambient u_ambient (
-    .clk_i, .valid_i, .phase_i, .s0_surface_i, .s0_weight_i, .s0_odd_i(s0_odd), .s0_ends_i(s0_ends),
+    .clk_i, .valid_i(tone_valid_i), .phase_i, .s0_surface_i, .s0_weight_i, .s0_odd_i(s0_odd),
+    .s0_ends_i(s0_ends), .s0_texture_i, .s0_albedo_i, .s0_share_i, .s0_texel_i,
     .s6_albedo_o, .s7_ambient_o);
 
   logic unused;

@@ -69,6 +69,12 @@ void finished_options(Parser& parser, Finish& o) {
         .under(group);
 }
 
+DeclaredOption textures_option(Parser& parser, bool& no_textures) {
+    return parser.flag(
+        "--no-textures", no_textures,
+        "draw no pictures on surfaces but their average colours, or in OBJ files the material's");
+}
+
 void view_options(Parser& parser, ViewChoice& o) {
     constexpr const char* group = "View (without these: the scene's own camera, or one that shows all of it)";
     parser.option("--eye", o.eye, "position of the camera: x,y,z").under(group);
@@ -83,6 +89,7 @@ void view_options(Parser& parser, ViewChoice& o) {
         .under(group);
     parser.flag("--ground", o.ground, "lay a grey square under the scene, four times as wide as the scene")
         .under(group);
+    textures_option(parser, o.no_textures).under(group);
 }
 
 void judge_option(Parser& parser, bool& no_judge) {

@@ -21,6 +21,7 @@ void clock_option(Parser& parser, std::string& clocks);
 void threads_option(Parser& parser, int& threads);
 void config_options(Parser& parser, ConfigChoice& config);
 void finished_options(Parser& parser, Finish& finish);
+DeclaredOption textures_option(Parser& parser, bool& no_textures);   ///< part of view_options()
 void view_options(Parser& parser, ViewChoice& view);
 void judge_option(Parser& parser, bool& no_judge);
 

@@ -39,9 +39,12 @@ double extent_of(const Scene& scene, std::size_t triangle) {
 std::optional<Dominant> leave_out(const Scene& scene, std::string what,
                                   const std::function<bool(std::size_t)>& kept) {
     Dominant part{std::move(what), scene, 0, 1};
-    part.without.triangles.clear();
+    part.without.triangles.clear(), part.without.coordinates.clear();
     for (std::size_t i = 0; i < scene.triangles.size(); ++i)
-        if (kept(i)) part.without.triangles.push_back(scene.triangles[i]);
+        if (kept(i)) {
+            part.without.triangles.push_back(scene.triangles[i]);
+            if (!scene.coordinates.empty()) part.without.coordinates.push_back(scene.coordinates[i]);
+        }
     part.triangles = scene.triangles.size() - part.without.triangles.size();
     if (part.without.triangles.empty() || part.triangles == 0) return {};
     const double all = extent(scene, [](std::size_t) { return true; }), rest = extent(scene, kept);

@@ -22,6 +22,19 @@ void add(Digest& digest, const Material& m) {
     digest.add(m.checkered);
     add(digest, m.other);
     digest.add(m.schlick);
+    if (m.texture) digest.add(*m.texture);
+}
+// The digest of a scene without textures does not depend on there being textures at all.
+void add(Digest& digest, const CornerCoordinates& corners) {
+    for (const glm::dvec2& st : corners) add(digest, st.x), add(digest, st.y);
+}
+void add(Digest& digest, const Texture& texture) {
+    digest.add(std::uint64_t(texture.wrap_s)), digest.add(std::uint64_t(texture.wrap_t));
+    digest.add(texture.nearest), digest.add(texture.mipmaps);
+    const TexelLevel& picture = texture.pyramid->levels.front();   // the others follow from it
+    digest.add(std::uint64_t(picture.width)), digest.add(std::uint64_t(picture.height));
+    for (const auto& [r, g, b, alpha] : picture.texels)
+        digest.add(r | std::uint64_t(g) << 8 | std::uint64_t(b) << 16 | std::uint64_t(alpha) << 24);
 }
 void add(Digest& digest, const Light& light) {
     add(digest, light.position);
@@ -54,6 +67,7 @@ void add(Digest& digest, const SharedMesh& mesh) {
     add_all(digest, mesh.vertices);
     add_all(digest, mesh.normals);
     add_all(digest, mesh.triangles);
+    if (!mesh.coordinates.empty()) add_all(digest, mesh.coordinates);
 }
 void add(Digest& digest, const Instance& instance) {
     digest.add(instance.mesh);
@@ -74,6 +88,8 @@ void add_scene(Digest& digest, const Scene& scene) {
     digest.add(scene.camera.has_value());
     if (scene.camera) add(digest, *scene.camera);
     add(digest, scene.background);
+    if (!scene.coordinates.empty()) add_all(digest, scene.coordinates);
+    if (!scene.textures.empty()) add_all(digest, scene.textures);
 }
 
 std::string text_of(const Digest& digest) { return fmt::format("{:016x}", digest.value()); }

@@ -1,4 +1,4 @@
-// The mean colour of a texture, from the library of picture formats.
+// Textures from the library of picture formats.
 #include "sim/files/image/average.hpp"
 
 #include "sim/files/image/codec.hpp"
@@ -6,5 +6,7 @@
 namespace rayclock {
 
 glm::vec4 average_colour(const std::string& bytes) { return picture_codec().average(bytes); }
+
+TexelLevel decoded_picture(const std::string& bytes) { return picture_codec().picture(bytes); }
 
 }   // namespace rayclock

@@ -3,6 +3,7 @@
 #include "sim/files/image/codec.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <functional>
 #include <stdexcept>
@@ -11,6 +12,7 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include "sim/files/image/average.hpp"
 #include "sim/files/image/srgb.hpp"
 
 namespace rayclock {
@@ -211,8 +213,70 @@ glm::vec4 average(const std::string& bytes) {
     return {float(sum[0] / texels), float(sum[1] / texels), float(sum[2] / texels), float(sum[3] / texels)};
 }
 
+/// Returns OpenImageIO's name of the format that a file has by its first or last bytes.
+const char* plugin_of(const std::string& bytes) {
+    struct Mark {
+        std::string_view bytes;
+        const char* plugin;
+    };
+    using namespace std::string_view_literals;
+    constexpr std::array<Mark, 8> marks{{{"\x89PNG"sv, "png"},
+                                         {"\xff\xd8"sv, "jpeg"},
+                                         {"BM"sv, "bmp"},
+                                         {"II\x2a\0"sv, "tiff"},
+                                         {"MM\0\x2a"sv, "tiff"},
+                                         {"\x76\x2f\x31\x01"sv, "openexr"},
+                                         {"#?RADIANCE"sv, "hdr"},
+                                         {"#?RGBE"sv, "hdr"}}};
+    for (const Mark& mark : marks)
+        if (bytes.starts_with(mark.bytes)) return mark.plugin;
+    if (bytes.ends_with("TRUEVISION-XFILE.\0"sv)) return "targa";
+    throw std::runtime_error("it is not PNG, JPEG, BMP, TIFF, TGA, OpenEXR or HDR");
+}
+
+std::uint8_t code_of(float value, bool is_linear) {
+    return is_linear ? srgb_byte(value)
+                     : static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0f, 1.0f)));
+}
+
+/// Reads row by row, so that a truncated file fails before its memory is filled.
+TexelLevel picture(const std::string& bytes) {
+    const char* const plugin = plugin_of(bytes);
+    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
+    const auto input = OIIO::ImageInput::create(plugin);
+    if (!input || !input->set_ioproxy(&memory)) throw std::runtime_error(OIIO::geterror());
+    OIIO::ImageSpec spec, wish;
+    wish.attribute("oiio:UnassociatedAlpha", 1);
+    if (!input->open(std::string("texture.") + plugin, spec, wish))
+        throw std::runtime_error(input->geterror());
+    if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.tile_width > 0 || spec.nchannels < 1)
+        throw std::runtime_error("its pixels are not rows of one picture");
+    if (spec.width > most_picture_side || spec.height > most_picture_side ||
+        std::int64_t{spec.width} * spec.height > most_picture_pixels)
+        throw std::runtime_error(std::to_string(spec.width) + "x" + std::to_string(spec.height) +
+                                 " texels are too many");
+    const bool is_linear = is_floating(spec.format);
+    const auto channels = std::size_t(spec.nchannels);
+    TexelLevel made{spec.width, spec.height, {}};
+    made.texels.reserve(std::size_t(spec.width) * std::size_t(spec.height));
+    std::vector<float> row(std::size_t(spec.width) * channels);
+    for (int y = 0; y < spec.height; ++y) {
+        if (!input->read_scanline(spec.y + y, 0, OIIO::TypeFloat, row.data()))
+            throw std::runtime_error(input->geterror());
+        for (std::size_t x = 0; x < std::size_t(spec.width); ++x) {
+            const float* texel = &row[x * channels];
+            std::array<std::uint8_t, 4> rgba{0, 0, 0, 255};
+            for (std::size_t c = 0; c < 3; ++c) rgba[c] = code_of(texel[channels >= 3 ? c : 0], is_linear);
+            if (channels == 2 || channels == 4) rgba[3] = code_of(texel[channels - 1], false);
+            made.texels.push_back(rgba);
+        }
+    }
+    return made;
+}
+
 }   // namespace
 }   // namespace rayclock
 
-extern "C" const rayclock::PictureCodec rayclock_picture_codec{
-    rayclock::encode, rayclock::check, rayclock::decode, rayclock::texels, rayclock::average};
+extern "C" const rayclock::PictureCodec rayclock_picture_codec{rayclock::encode,  rayclock::check,
+                                                               rayclock::decode,  rayclock::texels,
+                                                               rayclock::average, rayclock::picture};

@@ -11,6 +11,7 @@
 #include <glm/vec4.hpp>
 
 #include "model/scene/hit_shading.hpp"
+#include "model/scene/texture.hpp"
 
 namespace rayclock {
 
@@ -39,6 +40,8 @@ struct PictureCodec {
     Texels (*texels)(const std::string& png);
     /// See average_colour(). Throws std::runtime_error with the reason.
     glm::vec4 (*average)(const std::string& bytes);
+    /// See decoded_picture(). Throws std::runtime_error with the reason.
+    TexelLevel (*picture)(const std::string& bytes);
 };
 
 /// Returns the functions of the library and loads it at the first call. Throws UserError if it is missing.

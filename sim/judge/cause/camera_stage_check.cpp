@@ -29,6 +29,7 @@ public:
     RefClosest met(const RefPath&, const RefClosest&) override { return hit_; }
     void round_corners(RefClosest&, std::array<glm::dvec3, 3>&, bool open) override { is_open = open; }
     glm::dvec3 square(const RefClosest&, const Material&, const glm::dvec3& own) override { return own; }
+    void texel(const RefClosest&, const RefSurface&, RefTexel&) override {}
     void place(RefSurface& surface) override { faces_away = glm::dot(surface.normal, path_.direction) > 0; }
     bool counts(std::size_t, double, double lambert) override { return lambert > 0; }
     bool is_blocked(std::size_t, const RefPath&, double, bool) override { return false; }
@@ -82,6 +83,7 @@ PlacedTriangle CameraStageCheck::triangle(const Scene& scene,
     PlacedTriangle out;
     out.is_smooth = !scene.normals.empty();
     out.material = scene.triangles[i].material;
+    if (!scene.coordinates.empty()) out.coordinates = scene.coordinates[i];
     for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t vertex = scene.triangles[i].vertex[k];
         out.vertices[k] = scene.vertices[vertex];
@@ -193,11 +195,12 @@ std::optional<glm::dvec3> CameraStageCheck::local_light(const Hit& hit, int x, i
     scene.vertices.assign(t.vertices.begin(), t.vertices.end());
     if (t.is_smooth) scene.normals.assign(t.normals.begin(), t.normals.end());
     scene.triangles = {{{0, 1, 2}, 0}};
+    scene.coordinates = {t.coordinates}, scene.textures = inputs_.scene.textures;
     const double u = hit.u, v = hit.v;
     const glm::dvec3 at = (1 - u - v) * t.vertices[0] + u * t.vertices[1] + v * t.vertices[2];
     RefPath path;
     if (!light_space_.find_path(inputs_.camera.eye, at - inputs_.camera.eye, path)) return std::nullopt;
-    LocalLight steer(path, {hit.depth, u, v, 0});
+    LocalLight steer(path, {hit.depth * light_space_.space().scale, u, v, 0});
     Whitted settings;
     settings.depth = 0;
     const FrameSize size{int(inputs_.frame.width), int(inputs_.frame.height)};

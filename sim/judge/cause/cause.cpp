@@ -321,6 +321,7 @@ const PixelCauseInfo& cause_info(PixelCause cause) {
                                                                          {"t_rounding", {0, 158, 115}},
                                                                          {"primitive_test", {204, 121, 167}},
                                                                          {"shading", {240, 228, 66}},
+                                                                         {"texture", {0, 114, 178}},
                                                                          {"horizon", {128, 128, 160}},
                                                                          {"bug", {255, 255, 255}},
                                                                          {"none", {0, 0, 0}}}};

@@ -35,11 +35,12 @@ enum class PixelCause : std::uint8_t {
     t_rounding,
     primitive_test,
     shading,
+    texture,
     horizon,
     bug,
     none
 };
-constexpr std::size_t pixel_causes = 8;   ///< without `none`
+constexpr std::size_t pixel_causes = 9;   ///< without `none`
 
 /// A cause's key in reports and its colour in the difference picture, sRGB.
 struct PixelCauseInfo {

@@ -30,6 +30,10 @@ public:
     void passed(const PassIn& in, const PassOut& out) override {
         for (ShadeWatch* w : all_) w->passed(in, out);
     }
+    void filtered(const TexReq& hit, const TexRecord& record, const TexelPlace& place,
+                  const TexRsp& answer) override {
+        for (ShadeWatch* w : all_) w->filtered(hit, record, place, answer);
+    }
 
 private:
     std::vector<ShadeWatch*> all_;
@@ -95,7 +99,7 @@ public:
         if (!last.fault.empty()) {
             found.fault = last.fault;
         } else if (mine == reference) {
-            found.cause = PixelCause::shading;
+            found.cause = last.has_texture ? PixelCause::texture : PixelCause::shading;
         } else if (last.has_horizon) {
             found.cause = PixelCause::horizon;
         } else if (mine == reference_.pixel(camera_, size_, settings_, x, y).signature) {

@@ -44,7 +44,8 @@ struct GuideFinding {
     std::string fault;   ///< the first fault, or empty
     std::uint32_t ties = 0;
     bool has_horizon = false, has_seam = false;
-    bool has_lost = false;   ///< a point lies too far beyond the lattice for the machine's numbers
+    bool has_texture = false;   ///< a texture's coordinates, level or texels are rounded
+    bool has_lost = false;      ///< a point lies too far beyond the lattice for the machine's numbers
 };
 
 class Guide final : public RefSteer {
@@ -62,6 +63,7 @@ public:
     RefClosest met(const RefPath& path, const RefClosest& own) override;
     void round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals, bool is_open) override;
     glm::dvec3 square(const RefClosest& hit, const Material& material, const glm::dvec3& own) override;
+    void texel(const RefClosest& hit, const RefSurface& surface, RefTexel& own) override;
     void place(RefSurface& surface) override;
     bool counts(std::size_t light, double side, double lambert) override;
     bool is_blocked(std::size_t light, const RefPath& path, double distance, bool own) override;

@@ -21,6 +21,10 @@ void MachinePath::sent(const Ray& ray) {
         const int from = at_;
         at_ = add(ray, from);
         visits[std::size_t(from)].reflected = at_;
+    } else if (last_ == ShadeEvent::texture) {
+        const int from = at_;
+        at_ = add(ray, from);
+        visits[std::size_t(from)].onward = at_;
     } else {
         const int from = waiting_.back();
         waiting_.pop_back();
@@ -37,6 +41,11 @@ void MachinePath::answered(const Closest& hit) {
         visit.hit = hit;
 }
 
+void MachinePath::filtered(const TexReq& hit, const TexRecord& record, const TexelPlace& place,
+                           const TexRsp& answer) {
+    visits[std::size_t(at_)].texture = MachineTexture{hit, record, place, answer.hole != 0};
+}
+
 void MachinePath::passed(const PassIn& in, const PassOut& out) {
     MachineVisit& visit = visits[std::size_t(at_)];
     last_ = ShadeEvent(in.state.next_event);
@@ -45,6 +54,7 @@ void MachinePath::passed(const PassIn& in, const PassOut& out) {
             visit.surface = in.surface, visit.placement = in.placement, visit.state = out.state;
             break;
         case ShadeEvent::transform: visit.state = out.state; break;
+        case ShadeEvent::texture: visit.state.albedo = out.state.albedo; break;
         case ShadeEvent::light:
             visit.lights.push_back(
                 {out.leave == PassOut::Leave::spawn, Pending(out.state.pending) == Pending::sure, {}});

@@ -1,5 +1,6 @@
 #pragma once
 // The machine's path through one pixel: every ray, its hit, and the decisions there.
+#include <optional>
 #include <vector>
 
 #include "model/unit/shade/shader.hpp"
@@ -13,18 +14,30 @@ struct MachineLight {
     Ray ray;                 ///< the ray, if one was sent
 };
 
+/// The texture of a hit, as the machine has read it.
+struct MachineTexture {
+    TexReq hit;
+    TexRecord record;
+    TexelPlace place;
+    bool is_hole = false;
+};
+
 /// A camera ray or bounce, and the surface that it met.
 struct MachineVisit {
     static constexpr int none = -1;
     Ray ray;
     Closest hit;
-    Surface surface;    ///< from memory, if something was hit
-    ShadeState state;   ///< after the surface has arrived, and has been turned if there are two levels
+    Surface surface;   ///< from memory, if something was hit
+    /// After the surface has arrived, and has been turned if there are two levels; its albedo has the
+    /// texture.
+    ShadeState state;
+    std::optional<MachineTexture> texture;
     Placement placement;
     std::vector<MachineLight> lights;
     /// A bounce was due but misses the lattice. No ray was sent, and it added the background.
     bool is_reflected_past = false, is_refracted_past = false;
-    int parent = none, reflected = none, refracted = none;   ///< indices in MachinePath::visits
+    int parent = none, reflected = none, refracted = none, onward = none;   ///< indices in
+                                                                            ///< MachinePath::visits
 };
 
 /// Watches a Shader from the first ray of a pixel to its colour.
@@ -37,6 +50,8 @@ public:
     void sent(const Ray& ray) override;
     void answered(const Closest& hit) override;
     void passed(const PassIn& in, const PassOut& out) override;
+    void filtered(const TexReq& hit, const TexRecord& record, const TexelPlace& place,
+                  const TexRsp& answer) override;
 
 private:
     int add(const Ray& ray, int parent);

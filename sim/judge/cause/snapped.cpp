@@ -48,6 +48,19 @@ void round_material(Material& m) {
     m.shine = std::min(rounded(m.shine, shine_frac), std::ldexp(std::exp2(shine_bits) - 1, -shine_frac));
 }
 
+/// Returns a pyramid with codes of 5, 6 and 5 bits, spread over 0 to 255.
+std::shared_ptr<const Pyramid> with_short_codes(Pyramid pyramid) {
+    const auto shortened = [](std::uint8_t code, int most) {
+        const double few = std::round(double(code) * most / 255);
+        return std::uint8_t(most == 31 ? few * 8 + std::floor(few / 4) : few * 4 + std::floor(few / 16));
+    };
+    for (TexelLevel& level : pyramid.levels)
+        for (auto& [red, green, blue, alpha] : level.texels)
+            red = shortened(red, 31), green = shortened(green, 63), blue = shortened(blue, 31),
+            alpha = alpha >= 128 ? 255 : 0;
+    return std::make_shared<const Pyramid>(std::move(pyramid));
+}
+
 class Snapper {
 public:
     Snapper(const FrameInputs& inputs, const PlacedWorld* placed)
@@ -59,6 +72,8 @@ public:
         demand(is_eye_near(inputs_), far_eye);
         if (inputs_.config.shading) move_lights();
         for (Material& m : out_.scene.materials) round_material(m);
+        if (inputs_.config.has_textures() && inputs_.config.texels == TexelFormat::rgb565)
+            for (Texture& t : out_.scene.textures) t.pyramid = with_short_codes(*t.pyramid);
         for (int k = 0; k < 3; ++k)
             out_.scene.background[k] = rounded(std::clamp(out_.scene.background[k], 0.0, 1.0), unit_bits);
         return std::move(out_);

@@ -23,7 +23,9 @@ void PathJudge::start(std::uint32_t x, std::uint32_t y) {
     ray_number_ = 0;
     fresh_ = true;
     expected_ = {};
-    branch_ = {{}, full_weight, 0, 0, {1, 1}};
+    branch_ = {{}, full_weight, 0, 0, 0, {1, 1}};
+    path_ = holes_ = 0;
+    texel_.reset();
     waiting_.clear();
     lit_if_free_ = lit_ = false;
     colour_ = sum_ = most_ = {};
@@ -102,12 +104,14 @@ void PathJudge::passed(const PassIn& in, const PassOut& out) {
         case ShadeEvent::reflect: reflect(in, out); break;
         case ShadeEvent::pop: pop(in, out); break;
         case ShadeEvent::transform: transform(in, out); break;
+        case ShadeEvent::texture: texture(in, out); break;
     }
     demand(out.leave == PassOut::Leave::pixel || out.state.colour == colour_,
            "what was added is not what the surface, light or background gives");
     demand(
         out.state.sample == sample_ && out.state.depth == branch_.depth && out.state.weight == branch_.weight,
         "a ray's weight or depth was lost");
+    demand(!config_.has_textures() || out.state.path == path_, "the length of a path is wrong");
     demand(out.state.cell == branch_.cell, "a path is on the other side of a plane");
     demand(out.state.waiting == waiting_.size(), "the number of waiting rays is wrong");
     last_ = out.state;
@@ -143,9 +147,11 @@ void PathJudge::pop(const PassIn& in, const PassOut& out) {
     if (waiting_.empty()) return end_sample(out);
     branch_ = waiting_.back();
     waiting_.pop_back();
+    path_ = branch_.path;
+    holes_ = 0;
     const Expected& ray = branch_.ray;
     demand(in.top.o == ray.o && in.top.d == ray.d && in.top.weight == branch_.weight &&
-               in.top.depth == branch_.depth && in.top.home == ray.home,
+               in.top.depth == branch_.depth && in.top.home == ray.home && in.top.path == branch_.path,
            "another ray waited");
     demand(!config_.spheres || (in.top.self == ray.self && in.top.inside == ray.inside),
            "another ray waited");
@@ -179,7 +185,8 @@ void PathJudge::end_sample(const PassOut& out) {
         sample_ = done;
         colour_ = {};
         exact_ = {};
-        branch_ = {{}, full_weight, 0, 0, {1, 1}};
+        branch_ = {{}, full_weight, 0, 0, 0, {1, 1}};
+        path_ = holes_ = 0;
         demand(out.state.colour == colour_ && out.state.sum == sum_ && out.state.least == least_ &&
                    out.state.most == most_,
                "the samples' sum is wrong");

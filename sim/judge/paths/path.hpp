@@ -14,6 +14,7 @@
 #include "model/unit/shade/shader.hpp"
 #include "sim/judge/paths/placed.hpp"
 #include "sim/judge/paths/steps.hpp"
+#include "sim/judge/paths/texture.hpp"
 #include "sim/judge/paths/world.hpp"
 
 namespace rayclock {
@@ -42,6 +43,8 @@ public:
     void sent(const Ray& ray) override;
     void answered(const Closest& hit) override;
     void passed(const PassIn& in, const PassOut& out) override;
+    void filtered(const TexReq& hit, const TexRecord& record, const TexelPlace& place,
+                  const TexRsp& answer) override;
     /// Judges the colour that the machine gave to the finished pixel.
     void finish(const std::array<std::uint32_t, 3>& colour);
 
@@ -74,6 +77,7 @@ private:
         std::uint32_t weight = 0;
         std::uint32_t depth = 0;
         std::uint32_t cell = 0;   ///< one bit for each pane between it and the eye
+        std::uint32_t path = 0;   ///< with textures: length of the path to its origin
         Range exact{1, 1};        ///< its weight from the materials, unrounded
     };
     /// The surface that the last bounce met: the values of the chip, and the exact ones.
@@ -81,7 +85,8 @@ private:
         Surface surface;
         glm::dvec3 normal{0}, view{0};   ///< unit vectors
         bool is_far = false, is_lost = false;
-        std::uint32_t pane = 0;               ///< the surface's bit in a cell
+        std::uint32_t pane = 0;   ///< the surface's bit in a cell
+        std::optional<TexturedTriangle> texture;
         double ratio = 1;                     ///< refractive index on the ray's side over that on the other
         double normal_error = vector_error;   ///< error bound of the chip's unit normal
         /// Returns the error bound of the normal's product with another unit vector.
@@ -115,6 +120,8 @@ private:
     std::optional<Start> bounce_start_of(const ShadeState& s, const Vec3i& d, bool through) const;
     void demand_lights(const ShadeState& s);
     void transform(const PassIn& in, const PassOut& out);
+    void demand_texture(const ShadeState& s, const PassOut& out);
+    void texture(const PassIn& in, const PassOut& out);
     Vec3i point_at(const PassIn& in) const;
     Home home_of(const ShadeState& s, const Vec3i& d) const;
     Home home_from(const ShadeState& s, const Vec3i& light) const;
@@ -189,6 +196,9 @@ private:
     Colour sum_{}, least_{}, most_{};
     Light exact_sum_{};
     std::uint32_t sample_ = 0;
+    std::uint32_t path_ = 0;        ///< with textures: length of the path so far
+    std::uint32_t holes_ = 0;       ///< of textures, through which the ray has gone
+    std::optional<TexRsp> texel_;   ///< the last answer of tex
     Colour pixel_{};
     Light exact_pixel_{};
 };

@@ -40,6 +40,7 @@ PathJudge::Branch PathJudge::bounce(const ShadeState& s, const Weight& weight, c
             weight.promised,
             branch_.depth + 1,
             through ? branch_.cell ^ place_.pane : branch_.cell,
+            path_,
             weight.exact};
 }
 
@@ -108,7 +109,7 @@ void PathJudge::refract(const PassIn& in, const PassOut& out) {
     const Expected& ray = waiting_.back().ray;
     const Waiting expected{ray.o,    ray.d,      weight.promised,      branch_.depth + 1,
                            ray.self, ray.inside, waiting_.back().cell, ray.is_partial,
-                           ray.home};
+                           path_,    ray.home};
     demand(out.pushed.weight == expected.weight, "a bounce's weight is not the product of what makes it");
     demand(out.pushed == expected, "a refracted ray does not go where Snell's law sends it");
 }
@@ -140,6 +141,7 @@ void PathJudge::reflect(const PassIn& in, const PassOut& out) {
         return;
     }
     branch_ = bounce(s, weight, *start, d, false);
+    holes_ = 0;
     expect_spawn(out, branch_.ray);
     demand(ShadeEvent(out.state.next_event) == ShadeEvent::arrive,
            "a bounce that was sent is not waited for");

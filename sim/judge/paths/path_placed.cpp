@@ -16,7 +16,9 @@ namespace rayclock {
 void PathJudge::transform(const PassIn& in, const PassOut& out) {
     const ShadeState& before = in.state;
     const ShadeState& s = out.state;
-    demand(out.leave == PassOut::Leave::again, "a surface that is turned sends no ray");
+    demand(out.leave == (place_.texture ? PassOut::Leave::texture : PassOut::Leave::again),
+           "a surface that is turned sends a ray, or does not ask for its texture");
+    const auto demand_next = [&] { place_.texture ? demand_texture(s, out) : demand_lights(s); };
     if (visit_.place == oracle::PlacedRay::nowhere) return fail("nothing was hit that could be turned");
     demand(rules_.placed->is_map_of(visit_.place, in.placement),
            "memory does not hold the instance that was hit");
@@ -31,7 +33,7 @@ void PathJudge::transform(const PassIn& in, const PassOut& out) {
         demand(s.o == before.o && s.normal == before.normal && s.view == before.view &&
                    s.cosine == before.cosine,
                "a surface is turned where nothing is");
-        return demand_lights(s);
+        return demand_next();
     }
     const Vec3i point = point_at(in);
     for (std::size_t k = 0; k < 3; ++k)
@@ -51,7 +53,7 @@ void PathJudge::transform(const PassIn& in, const PassOut& out) {
     place_.normal_error = std::min(2.0, off < length ? off / (length - off / 2) + vector_error : 2.0);
     judge_vectors(in, s, turned);
     place_.normal = unit_or_zero(exact);
-    demand_lights(s);
+    demand_next();
 }
 
 /// Returns a ray from the point along d in the space of the point's instance. It begins exactly at the point.

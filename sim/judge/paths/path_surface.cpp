@@ -41,8 +41,14 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
     const ShadeState& s = out.state;
     demand(in.o == bounce_ray_.o && in.d == bounce_ray_.d,
            "a pass was given another ray than the one that arrived");
-    demand(out.leave == PassOut::Leave::again, "a surface sends no ray");
-    if (branch_.depth == 0 && sample_ == 0)
+    place_ = {};
+    if (answer_.found && config_.has_textures())
+        place_.texture =
+            rules_.placed ? rules_.placed->textured(answer_.prim)
+                          : textured_triangle(rules_.inputs.scene, rules_.inputs.lattice.pitch, answer_.prim);
+    demand(out.leave == (place_.texture && !rules_.placed ? PassOut::Leave::texture : PassOut::Leave::again),
+           "a surface sends a ray, or does not ask for its texture");
+    if (branch_.depth == 0 && sample_ == 0 && holes_ == 0)
         demand(s.found == answer_.found && s.prim == answer_.prim && s.t == answer_.t && s.u == answer_.u &&
                    s.v == answer_.v,
                "the pixel's first hit is not kept");
@@ -51,7 +57,6 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
         demand(ShadeEvent(s.next_event) == ShadeEvent::pop, "after the background comes the next ray");
         return;
     }
-    place_ = {};
     if (rules_.placed && visit_.place == oracle::PlacedRay::nowhere)
         return;   // the fault is already recorded
     place_.ratio = ratio_of(rules_.placed ? rules_.placed->material(answer_.prim)
@@ -69,13 +74,23 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
         demand(holds, "memory does not hold the corner normals of the triangle that was hit");
         place_.surface.normal = in.surface.normal;
     }
+    if (place_.texture) {   // filtered() judges the record
+        demand(in.surface.record != 0, "memory holds no texture for the surface that was hit");
+        place_.surface.record = in.surface.record;
+    }
     demand(in.surface == place_.surface, "memory does not hold the surface that was hit");
     place_.pane =
         place_.surface.kind == std::uint32_t(PrimKind::plane) ? pane_bit(rules_.inputs, answer_.prim) : 0;
     demand(s.across == (branch_.cell ^ place_.pane),
            "the other side of a plane is told from this one wrongly");
     judge_place(in, s);
-    ambient(s);
+    if (config_.has_textures()) {
+        path_ = path_length(path_, in.d, answer_.t, config_);
+        demand(s.record == place_.surface.record && s.ambient == place_.surface.ambient,
+               "the material that was hit is not kept");
+    }
+    if (place_.texture && !rules_.placed) return demand_texture(s, out);
+    if (!place_.texture) ambient(s);
     if (rules_.placed) {
         demand(rules_.placed->is_map_of(visit_.place, in.placement),
                "memory does not hold the instance that was hit");
@@ -83,6 +98,57 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
                       "no transform pass follows an instance's surface");
     }
     demand_lights(s);
+}
+
+/// Judges the request to tex. The colour of the texture, and with it the ambient light, come later.
+void PathJudge::demand_texture(const ShadeState& s, const PassOut& out) {
+    demand(ShadeEvent(s.next_event) == ShadeEvent::texture, "no texture pass follows a textured surface");
+    const TexReq& hit = out.tex;
+    demand(visit_.place == oracle::PlacedRay::nowhere ||
+               is_scale(hit.scale, rules_.placed->solids().places()[visit_.place].a, config_),
+           "tex gets another scale than the instance's");
+    demand(hit.record == s.record && hit.u == answer_.u && hit.v == answer_.v && hit.path == path_ &&
+               hit.cosine == s.cosine,
+           "tex gets another hit than the ray's");
+    texel_.reset();
+}
+
+void PathJudge::filtered(const TexReq& hit, const TexRecord& record, const TexelPlace& place,
+                         const TexRsp& answer) {
+    if (!place_.texture)
+        fail("a surface without a texture is drawn with one");
+    else if (const char* wrong = judge_texture(rules_.inputs, *place_.texture, hit, record, place, answer))
+        fail(wrong);
+    texel_ = answer;
+}
+
+void PathJudge::texture(const PassIn& in, const PassOut& out) {
+    const ShadeState& before = in.state;
+    const ShadeState& s = out.state;
+    demand(texel_ && in.texel == texel_->colour && in.hole == texel_->hole,
+           "a pass was given another texture's colour");
+    const bool goes_on = in.hole != 0 && holes_ < (1u << hole_bits) - 1;
+    if (goes_on) ++holes_;
+    ShadeState same = before;
+    same.albedo = s.albedo, same.next_event = s.next_event, same.light = s.light, same.pending = s.pending,
+    same.colour = s.colour, same.holes = holes_;
+    demand(same == s, "what was found on the surface is not kept when its texture comes");
+    for (std::size_t k = 0; k < 3; ++k)
+        demand(s.albedo[k] == nearest_of_power(Int128(before.albedo[k]) * in.texel[k], share_bits),
+               "the colour is not the surface's times the texture's");
+    if (!goes_on) {
+        demand(out.leave == PassOut::Leave::again, "a ray goes on where its texture has no hole");
+        ambient(s);
+        return demand_lights(s);
+    }
+    // From the point in the triangle, in the ray's direction, to the other side.
+    Expected ray{RayKind::bounce, {}, bounce_ray_.d, s.self, s.inside};
+    ray.o = by_axis([&](std::size_t k) { return std::int32_t(s.o[k]); });
+    ray.is_refracted = true;
+    if (rules_.placed) ray.home = home_of(s, ray.d);
+    demand(dot(s.n, way_of(ray)) < 0, "a ray goes on to the side from which it came");
+    expect_spawn(out, ray);
+    demand(ShadeEvent(s.next_event) == ShadeEvent::arrive, "a ray that goes on is not waited for");
 }
 
 void PathJudge::demand_lights(const ShadeState& s) {

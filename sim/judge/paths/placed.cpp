@@ -23,7 +23,8 @@ using oracle::Solids;
 PlacedScene alone(const Scene& scene) {
     PlacedScene placed;
     placed.own.vertices = scene.vertices, placed.own.normals = scene.normals;
-    placed.own.triangles = scene.triangles;
+    placed.own.triangles = scene.triangles, placed.own.coordinates = scene.coordinates;
+    placed.own.textures = scene.textures;
     placed.own.spheres = scene.spheres, placed.own.planes = scene.planes;
     return placed;
 }
@@ -31,7 +32,9 @@ PlacedScene alone(const Scene& scene) {
 /// Numbers of two special meshes: the scene's own triangles, and its spheres and planes.
 constexpr std::uint32_t own_triangles = no_primitive, own_round = no_primitive - 1;
 
-SharedMesh own_mesh_of(const Scene& own) { return {"", own.vertices, own.normals, own.triangles}; }
+SharedMesh own_mesh_of(const Scene& own) {
+    return {"", own.vertices, own.normals, own.triangles, own.coordinates};
+}
 
 SolidPlace solid_place(std::uint32_t mesh, std::uint32_t first, const Placement& map) {
     SolidPlace place{mesh, first, {}, {}};
@@ -156,6 +159,7 @@ PlacedWorld::Made PlacedWorld::make(const PlacedScene& scene, const SharedMesh& 
                                     const LevelLattices::Class& of, const glm::dmat4& first) const {
     Scene part;
     part.vertices = mesh.vertices, part.normals = mesh.normals, part.triangles = mesh.triangles;
+    part.coordinates = mesh.coordinates;
     Made made;
     append(made.scene, part, of.before, {}, 0);
     const std::vector<glm::dvec3> given = made.scene.vertices;
@@ -176,6 +180,7 @@ PlacedWorld::Made PlacedWorld::make(const PlacedScene& scene, const SharedMesh& 
         if (square > 0) normal *= of.lattice.pitch / double(std::sqrt(square));
     }
     made.scene.materials = inputs_.scene.materials.empty() ? scene.own.materials : inputs_.scene.materials;
+    made.scene.textures = scene.own.textures;
     made.solids = solids_of(made.scene, steps(config_.coord_bits), config_.coord_bits);
     const double end = std::ldexp(1, config_.coord_bits - 1) - 0.5,
                  slack = lattice_slack + (config_.shading ? std::ldexp(1, most_fine) : 0);
@@ -299,6 +304,12 @@ Surface PlacedWorld::surface(std::uint32_t primitive) const {
     return expected_surface(made.scene, made.solids, config_, primitive - placed.first, material(primitive));
 }
 
+std::optional<TexturedTriangle> PlacedWorld::textured(std::uint32_t primitive) const {
+    const Placed& placed = instances_[place_of(primitive)];
+    if (placed.material) return std::nullopt;
+    return textured_triangle(classes_[placed.mesh_class].scene, glm::dvec3(1), primitive - placed.first);
+}
+
 bool PlacedWorld::holds_normals(std::uint32_t primitive, const Surface& seen) const {
     const Placed& placed = instances_[place_of(primitive)];
     return rayclock::holds_normals(classes_[placed.mesh_class].scene, primitive - placed.first, seen);
@@ -318,11 +329,12 @@ bool PlacedWorld::is_map_of(std::uint32_t place, const Placement& placement) con
 PlacedScene PlacedWorld::snapped() const {
     PlacedScene scene;
     scene.own.name = inputs_.scene.name;
-    scene.own.materials = inputs_.scene.materials;
+    scene.own.materials = inputs_.scene.materials, scene.own.textures = inputs_.scene.textures;
     scene.own.lights = inputs_.scene.lights;
     scene.own.background = inputs_.scene.background;
     for (const Made& made : classes_) {
-        SharedMesh mesh{"", made.scene.vertices, made.scene.normals, made.scene.triangles};
+        SharedMesh mesh{"", made.scene.vertices, made.scene.normals, made.scene.triangles,
+                        made.scene.coordinates};
         const Lattice lattice = steps(config_.coord_bits);
         for (glm::dvec3& v : mesh.vertices) {
             const Vec3i at = lattice.snap(v);

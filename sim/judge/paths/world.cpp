@@ -10,6 +10,7 @@
 #include "model/compile/plane.hpp"
 #include "model/base/axes.hpp"
 #include "sim/judge/paths/steps.hpp"
+#include "sim/judge/paths/texture.hpp"
 
 namespace rayclock {
 
@@ -329,6 +330,7 @@ std::vector<std::string> judge_registers(const FrameInputs& inputs, const Whitte
         demand(shade.background[std::size_t(k)] ==
                    natural(inputs.scene.background[k], unit_bits, std::exp2(unit_bits)),
                "background");
+    if (inputs.config.has_textures()) demand(is_spread(inputs, settings.aa), "spread of samples");
     judge_lights(inputs, wrong);
     return wrong;
 }

@@ -23,11 +23,25 @@ struct RefSurface {
     const Material* material = nullptr;
     std::uint32_t primitive = no_primitive;
     bool is_inside = false;   ///< the ray came from the inside
+    double travelled = 0;     ///< length of the path from the eye
+    bool is_hole = false;     ///< the texture has a hole there
+};
+
+/// The picture of a textured triangle at a hit.
+struct RefTexel {
+    glm::dvec2 st{0};
+    double detail = 0;     ///< texture_detail() of the triangle
+    double distance = 0;   ///< length of the path from the eye, in scene units
+    double spread = 0;     ///< sample_spread() of the picture
+    double cosine = 1;     ///< between the reversed ray and the shading normal
+    glm::dvec3 colour{0};
+    double alpha = 1;
+    bool is_hole = false;   ///< alpha is below the material's cut-off
 };
 
 /// A bounce that the tracer would send.
 struct RefBounce {
-    enum class Interaction { reflected, refracted } interaction = Interaction::reflected;
+    enum class Interaction { reflected, refracted, passed } interaction = Interaction::reflected;
     const RefSurface& surface;
     glm::dvec3 direction{0};
     double weight = 0;
@@ -55,6 +69,9 @@ public:
     virtual void round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals, bool is_open) = 0;
     /// Returns a plane's colour at the hit.
     virtual glm::dvec3 square(const RefClosest& hit, const Material& material, const glm::dvec3& own) = 0;
+    /// Replaces the colour of a textured triangle's picture at the hit, and whether it has a hole there.
+    /// `surface` has no colour yet.
+    virtual void texel(const RefClosest& hit, const RefSurface& surface, RefTexel& own) = 0;
     /// Replaces the point from which rays leave.
     virtual void place(RefSurface& surface) = 0;
 

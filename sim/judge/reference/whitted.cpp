@@ -34,8 +34,13 @@ glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
 class Tracer {
 public:
     Tracer(const RefGeometry& geometry, const Scene& scene, const Whitted& settings, const RayWatch& watch,
-           RefSteer* steer = nullptr)
-        : geometry_(geometry), scene_(scene), settings_(settings), watch_(watch), steer_(steer) {}
+           double spread, RefSteer* steer = nullptr)
+        : geometry_(geometry),
+          scene_(scene),
+          settings_(settings),
+          watch_(watch),
+          spread_(spread),
+          steer_(steer) {}
 
     glm::dvec3 pixel(const PixelRays& rays, std::uint32_t x, std::uint32_t y, Hit& first);
     const RayCounts& counts() const { return counts_; }
@@ -57,6 +62,7 @@ private:
     void on_triangle(const RefPath& path, const RefClosest& hit, RefSurface& surface) const;
     void on_sphere(const RefPath& path, const RefClosest& hit, RefSurface& surface) const;
     void on_plane(const RefClosest& hit, RefSurface& surface) const;
+    glm::dvec3 picture(const RefPath& path, const RefClosest& hit, RefSurface& surface) const;
 
     static RefPath leave(const RefSurface& surface, const glm::dvec3& direction, bool goes_through);
 
@@ -64,6 +70,7 @@ private:
     const Scene& scene_;
     const Whitted& settings_;
     const RayWatch& watch_;
+    const double spread_;     ///< see sample_spread()
     RefSteer* const steer_;   ///< null: the tracer follows its own rays
     RayCounts counts_;
     glm::dvec3 sum_{0};         ///< of the current sample
@@ -121,6 +128,24 @@ void Tracer::on_plane(const RefClosest& hit, RefSurface& surface) const {
     if (steer_) surface.colour = steer_->square(hit, *surface.material, surface.colour);
 }
 
+/// Returns the factor of a triangle's colour: that of its texture, or 1. Finds out whether the texture has a
+/// hole.
+glm::dvec3 Tracer::picture(const RefPath& path, const RefClosest& hit, RefSurface& surface) const {
+    if (!surface.material->texture || scene_.coordinates.empty()) return glm::dvec3(1);
+    const Texture& texture = scene_.textures[*surface.material->texture];
+    const auto& [a, b, c] = scene_.coordinates[hit.primitive];
+    RefTexel own{(1 - hit.u - hit.v) * a + hit.u * b + hit.v * c,    texture_detail(scene_, hit.primitive),
+                 surface.travelled / geometry_.space().scale,        spread_,
+                 std::abs(glm::dot(surface.normal, path.direction)), glm::dvec3(0)};
+    const double lod = level_of_detail(own.detail, own.distance, own.spread, own.cosine);
+    const glm::dvec4 found = filtered_with_alpha(texture, own.st, level_of(texture, lod));
+    own.colour = glm::dvec3(found), own.alpha = found.a;
+    own.is_hole = own.alpha < surface.material->cutoff;
+    if (steer_) steer_->texel(hit, surface, own);
+    surface.is_hole = own.is_hole;
+    return own.colour;
+}
+
 RefSurface Tracer::surface_of(const RefPath& path, const RefClosest& hit) const {
     RefSurface surface;
     surface.primitive = hit.primitive;
@@ -132,6 +157,8 @@ RefSurface Tracer::surface_of(const RefPath& path, const RefClosest& hit) const 
         on_plane(hit, surface);
     if (hit.primitive < scene_.triangles.size() + scene_.spheres.size())
         surface.colour = surface.material->colour;
+    surface.travelled = path.travelled + hit.depth;
+    if (hit.primitive < scene_.triangles.size()) surface.colour *= picture(path, hit, surface);
     // Until here both normals point outwards.
     surface.is_inside = glm::dot(surface.flat, path.direction) > 0;
     if (surface.is_inside) {
@@ -147,7 +174,7 @@ RefPath Tracer::leave(const RefSurface& surface, const glm::dvec3& direction, bo
     const double reach = 1 + std::max(size.x, std::max(size.y, size.z));
     const glm::dvec3 side = goes_through ? -surface.flat : surface.flat;
     return {surface.position + off_surface * reach * side, direction, surface.primitive,
-            goes_through != surface.is_inside};
+            goes_through != surface.is_inside, surface.travelled};
 }
 
 /// Returns the light that one source adds, or 0 if it is blocked.
@@ -267,6 +294,15 @@ void Tracer::follow_bounce(const RefBounce& bounce, int depth) {
 void Tracer::shade(const RefPath& path, const RefClosest& hit, double weight, int depth) {
     const RefSurface surface = surface_of(path, hit);
     const Material& m = *surface.material;
+    if (surface.is_hole && path.holes < most_holes) {
+        ++counts_.refraction;
+        if (steer_) steer_->enter(RefBounce::Interaction::passed);
+        RefPath onward = leave(surface, path.direction, true);
+        onward.holes = path.holes + 1;
+        follow(onward, weight, depth);
+        if (steer_) steer_->leave();
+        return;
+    }
     glm::dvec3 local = m.ambient * surface.colour;
     for (std::size_t i = 0; i < scene_.lights.size(); ++i) local += light(path, surface, i);
     sum_ += weight * local;
@@ -336,6 +372,10 @@ glm::dvec3 Tracer::pixel(const PixelRays& rays, std::uint32_t x, std::uint32_t y
     return total / static_cast<double>(samples);
 }
 
+double spread_of(const Camera& camera, FrameSize size, const Whitted& settings) {
+    return sample_spread(camera.fov_degrees, size.height, settings.aa);
+}
+
 }   // namespace
 
 WhittedFrame ref_whitted(const RefGeometry& geometry, const Scene& scene, const Camera& camera,
@@ -350,7 +390,7 @@ WhittedFrame ref_whitted(const RefGeometry& geometry, const Scene& scene, const 
                        std::vector<std::uint64_t>(pixels)};
     std::mutex adding;
     for_each_tile(size, threads, "reference", progress, [&](const PixelTile& tile) {
-        Tracer tracer(geometry, scene, settings, watch);
+        Tracer tracer(geometry, scene, settings, watch, spread_of(camera, size, settings));
         for (int y = tile.rows().begin(); y < tile.rows().end(); ++y)
             for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
                 const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
@@ -368,7 +408,7 @@ WhittedFrame ref_whitted(const RefGeometry& geometry, const Scene& scene, const 
 WhittedPixel ref_pixel(const RefGeometry& geometry, const Scene& scene, const Camera& camera, FrameSize size,
                        const Whitted& settings, std::uint32_t x, std::uint32_t y, RefSteer* steer) {
     static const RayWatch nobody;
-    Tracer tracer(geometry, scene, settings, nobody, steer);
+    Tracer tracer(geometry, scene, settings, nobody, spread_of(camera, size, settings), steer);
     WhittedPixel pixel;
     pixel.colour = tracer.pixel(pixel_rays(camera, size), x, y, pixel.first);
     pixel.signature = tracer.signature();

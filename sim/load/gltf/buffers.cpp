@@ -119,8 +119,9 @@ GltfBuffers::GltfBuffers(const JsonValue& document, const std::filesystem::path&
 std::string_view GltfBuffers::file(const JsonValue& uri, const std::string& name) {
     if (leaves_folder(name))
         uri.refuse(fmt::format("names {}, which lies outside the folder of the file", shown(name)));
-    const auto [found, is_new] = outside_.try_emplace(name);
-    if (is_new) found->second = loading_.read(path_.parent_path() / name, uri.where());
+    auto found = outside_.find(name);
+    if (found == outside_.end())   // a file that cannot be read leaves no entry
+        found = outside_.emplace(name, loading_.read(path_.parent_path() / name, uri.where())).first;
     return found->second;
 }
 
@@ -193,7 +194,11 @@ std::string_view GltfBuffers::slice(const JsonValue& accessor, std::uint64_t cou
 std::vector<double> GltfBuffers::read(std::uint64_t index, std::uint64_t width) {
     const JsonValue accessor = document_.at("accessors")[index];
     const JsonValue type = accessor.at("type");
-    const char* const wanted = width == 1 ? "SCALAR" : width == 3 ? "VEC3" : width == 4 ? "VEC4" : "MAT4";
+    const char* const wanted = width == 1   ? "SCALAR"
+                               : width == 2 ? "VEC2"
+                               : width == 3 ? "VEC3"
+                               : width == 4 ? "VEC4"
+                                            : "MAT4";
     if (type.string() != wanted) type.expected(fmt::format("\"{}\"", wanted));
     const Component component = component_of(accessor.at("componentType"));
     const std::uint64_t count = accessor.at("count").whole(std::uint64_t{1} << 32);

@@ -34,8 +34,8 @@ public:
                 Loading& loading, Warnings& warnings);
 
     /// Returns all components of an accessor one after the other. Integers keep their value, or are scaled if
-    /// normalised. `width` is 1, 3, 4 or 16. An accessor without data yields zeros. Throws UserError if the
-    /// accessor is wrong.
+    /// normalised. `width` is 1, 2, 3, 4 or 16. An accessor without data yields zeros. Throws UserError if
+    /// the accessor is wrong.
     std::vector<double> read(std::uint64_t accessor, std::uint64_t width);
     /// Returns the bytes of a picture in the document's list `images`. Throws UserError if the document is
     /// wrong or a file cannot be read.

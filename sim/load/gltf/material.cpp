@@ -113,7 +113,10 @@ GltfMaterial gltf_material(const JsonValue& in, std::size_t number) {
     const auto mode = in.find("alphaMode");
     out.blends = mode && mode->string() == "BLEND";
     out.is_masked = mode && mode->string() == "MASK";
-    out.is_invisible = out.is_masked && double(surface.colour.a) < in.number_or("alphaCutoff", 0.5);
+    if (out.is_masked) out.cutoff = in.number_or("alphaCutoff", 0.5);
+    out.is_invisible = out.is_masked && double(surface.colour.a) < out.cutoff;
+    // The opacity of the texture is compared with the cut-off over the constant opacity.
+    if (out.is_masked && surface.colour.a > 0) out.cutoff /= double(surface.colour.a);
     if (!out.blends) surface.colour.a = 1;
     return out;
 }

@@ -14,6 +14,7 @@ struct GltfMaterial {
     GltfSurface surface;
     bool blends = false;                     ///< alphaMode BLEND: the opacity counts
     bool is_masked = false;                  ///< alphaMode MASK: the opacity decides which points exist
+    double cutoff = 0;                       ///< of a MASK: opacity below it is a hole
     bool is_invisible = false;               ///< MASK with a constant opacity below the cutoff
     bool has_textures = false;               ///< textures other than that of the base colour
     bool has_extensions = false;             ///< extensions that are not drawn

@@ -1,7 +1,7 @@
 // glTF 2.0. Checks and reads the tree of nodes, meshes, colours, cameras, lights and the first animation. A
-// mesh that stands in several places or moves becomes instances. Replaces a base-colour texture by its
-// average, and the colours of a triangle's corners by their mean. Leaves out other textures. Notes all of
-// this.
+// mesh that stands in several places or moves becomes instances. Reads base-colour textures, or replaces them
+// by their averages. Replaces the colours of a triangle's corners by their mean. Leaves out other textures.
+// Notes all of this.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,6 +21,7 @@
 #include "sim/load/gltf/textures.hpp"
 #include "sim/load/json/motion.hpp"
 #include "sim/load/mesh/mesh_file.hpp"
+#include "sim/load/textures.hpp"
 
 namespace rayclock {
 namespace {
@@ -61,6 +62,7 @@ public:
             else
                 place(copy);
         placed_.own = assembly_.take(!placed_.instances.empty());
+        placed_.own.textures = textures_.all();
         warnings_.say(loading_);
         placed_.own.camera = camera_;
         pose(placed_, 0);
@@ -88,6 +90,7 @@ private:
         const std::vector<std::uint32_t>* indices;
         const Colours* colours;
         std::uint64_t mode, material, corners;
+        const std::vector<glm::dvec2>* coordinates = nullptr;
     };
     /// The drawn primitives of a mesh. mesh() reads them at the first use.
     struct Mesh {
@@ -246,7 +249,73 @@ private:
             in.refuse(fmt::format("has {} corners, which do not make triangles", made.corners));
         check_positions(position, positions.faults, made);
         if (const auto material = in.find("material")) made.material = material->whole(materials_.size());
+        made.coordinates = coordinates(attributes, made);
         return made;
+    }
+
+    /// The picture of a material, and how it lies on meshes.
+    struct Painted {
+        std::optional<std::uint32_t> texture;
+        GltfMapping mapping;
+    };
+    const Painted& painted(std::uint64_t number) {
+        const auto [found, is_new] = painted_.try_emplace(number);
+        if (!is_new || number == none || !material(number).base_texture) return found->second;
+        found->second.texture = textures_.texture(material(number));
+        if (found->second.texture) found->second.mapping = textures_.mapping(material(number));
+        return found->second;
+    }
+
+    /// Returns a vertex's point on the picture of the primitive's material, for all vertices. Without a
+    /// picture it is the set 0 as it stands, for scenes that give the mesh another material; a wrong set then
+    /// counts as missing. Returns null if there is no such set.
+    const std::vector<glm::dvec2>* coordinates(const JsonValue& attributes, const Primitive& made) {
+        if (!loading_.draws_textures()) return nullptr;
+        const Painted& paint = painted(made.material);
+        const auto attribute = attributes.find(fmt::format("TEXCOORD_{}", paint.mapping.set));
+        if (!attribute) return nullptr;
+        const std::pair key{attribute->whole(count_of("accessors")), paint.texture ? made.material : none};
+        const auto [found, is_new] = coordinates_.try_emplace(key);
+        if (is_new && paint.texture) {
+            found->second = mapped(*attribute, paint.mapping);
+        } else if (is_new) {
+            try {
+                found->second = mapped(*attribute, {});
+            } catch (const UserError&) {
+                return nullptr;
+            }
+        }
+        const bool fits = found->second.size() == made.positions->size();
+        if (!fits && paint.texture)
+            attribute->refuse(fmt::format("has {} texture coordinates for {} vertices", found->second.size(),
+                                          made.positions->size()));
+        if (paint.texture) check_coordinates(*attribute, found->second, made, *paint.texture);
+        return fits ? &found->second : nullptr;
+    }
+
+    std::vector<glm::dvec2> mapped(const JsonValue& attribute, const GltfMapping& mapping) {
+        const std::uint64_t index = attribute.whole(count_of("accessors"));
+        const std::vector<double> numbers = buffers_.read(index, 2);
+        std::vector<glm::dvec2> points(numbers.size() / 2);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            points[i] = mapping({numbers[2 * i], numbers[2 * i + 1]});
+        return points;
+    }
+
+    /// Throws UserError if a triangle uses coordinates that cannot be drawn.
+    void check_coordinates(const JsonValue& attribute, const std::vector<glm::dvec2>& points,
+                           const Primitive& made, std::uint32_t texture) {
+        each_triangle(made, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+            const std::string why =
+                coordinate_fault(textures_.all()[texture], {points[a], points[b], points[c]});
+            if (!why.empty())
+                in_.at("accessors")[attribute.whole(count_of("accessors"))].refuse(
+                    fmt::format("does not fit: the triangle of the vertices {}, {} and {} {}", a, b, c, why));
+        });
+    }
+
+    glm::dvec2 point_of(const Primitive& primitive, std::uint32_t vertex) const {
+        return primitive.coordinates ? (*primitive.coordinates)[vertex] : no_coordinates;
     }
 
     /// Throws UserError for Draco compression. Its accessors have no data, which would otherwise mean zeros.
@@ -395,7 +464,8 @@ private:
                                 primitive.normals != nullptr);
             const auto corner = [&](std::uint32_t i) {
                 return Corner{glm::dvec3((*primitive.positions)[i]),
-                              primitive.normals ? glm::dvec3((*primitive.normals)[i]) : glm::dvec3(0)};
+                              primitive.normals ? glm::dvec3((*primitive.normals)[i]) : glm::dvec3(0),
+                              point_of(primitive, i)};
             };
             each_triangle(primitive, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
                 builder.add(corner(a), corner(b), corner(c), builder.colour(colour_of(primitive, a, b, c)));
@@ -432,7 +502,8 @@ private:
                 assembly_.gather(mesh, parts_[copy.mesh][i], number, [&] { return made_material(number); });
             }
             placed_.meshes.push_back({fmt::format("meshes[{}]", copy.mesh), std::move(mesh.vertices),
-                                      std::move(mesh.normals), std::move(mesh.triangles)});
+                                      std::move(mesh.normals), std::move(mesh.triangles),
+                                      std::move(mesh.coordinates)});
         }
         add_instance(copy.from, found->second, copy.where);
     }
@@ -445,6 +516,8 @@ private:
         const std::vector<Primitive>& primitives = meshes_[copy.mesh].primitives;
         const bool is_smooth = std::any_of(primitives.begin(), primitives.end(),
                                            [](const Primitive& primitive) { return primitive.normals; });
+        const bool is_painted = std::any_of(primitives.begin(), primitives.end(),
+                                            [](const Primitive& primitive) { return primitive.coordinates; });
         Deforming made = deformer_.make(node, in_.at("meshes")[copy.mesh], tracks_of(copy.from), is_smooth);
         SharedMesh mesh{fmt::format("meshes[{}]", copy.mesh), made.rest, made.normals, {}};
         if (!loading_.may_make(meshes_[copy.mesh].triangles * sizeof(Triangle)))
@@ -458,6 +531,9 @@ private:
                     primitive.material, [&] { return made_material(primitive.material); },
                     colour_of(primitive, a, b, c).value_or(glm::vec3(1)));
                 mesh.triangles.push_back({{base + a, base + b, base + c}, own});
+                if (is_painted)
+                    mesh.coordinates.push_back(
+                        {point_of(primitive, a), point_of(primitive, b), point_of(primitive, c)});
             });
             base += static_cast<std::uint32_t>(primitive.positions->size());
         }
@@ -492,11 +568,16 @@ private:
         const auto note_if = [&](bool is_so, const char* became) {
             if (is_so) warnings_.count("material", became, 0, material.name);
         };
-        note_if(material.base_texture && textures_.tint(material), averaged_texture);
+        std::optional<std::uint32_t> texture;
+        if (material.base_texture) texture = textures_.texture(material);
+        if (texture) textures_.take_opacity(material, *texture);
+        note_if(material.base_texture && !texture && textures_.tint(material), averaged_texture);
         note_if(material.has_textures, "with other textures, which are not drawn");
         note_if(material.has_extensions, "with extensions that are not drawn");
         note_if(is_out_of_range(material.surface), "with values out of range, taken as the nearest within");
         Material made = material_of(material.surface, material.name);
+        made.texture = texture;
+        if (texture && material.is_masked) made.cutoff = std::clamp(material.cutoff, 0.0, 1.0);
         note_if(!add_emission(made, glm::dvec3(material.surface.emission)), mixed_emission);
         return made;
     }
@@ -523,6 +604,9 @@ private:
     std::vector<std::vector<std::size_t>> parts_;   // by mesh, for placed meshes
     std::vector<std::optional<GltfMaterial>> materials_;
     std::map<std::uint64_t, bool> has_targets_;   // by mesh, filled at the first query
+    std::map<std::uint64_t, Painted> painted_;    // by material
+    /// By accessor, and by the material if it has a picture.
+    std::map<std::pair<std::uint64_t, std::uint64_t>, std::vector<glm::dvec2>> coordinates_;
     std::vector<bool> visited_;
     std::vector<std::optional<NodePlace>> wheres_;    // of the nodes in the scene
     std::map<std::uint64_t, GltfTracks> tracks_;      // by node

@@ -1,8 +1,12 @@
 #pragma once
-// Textures of a glTF document, each reduced to its average colour.
+// Textures of a glTF document: as pictures with their samplers and transforms, or reduced to their average
+// colours.
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
 
 #include "sim/load/gltf/buffers.hpp"
 #include "sim/load/gltf/material.hpp"
@@ -11,7 +15,15 @@ namespace rayclock {
 
 constexpr const char* averaged_texture = "with a texture of its colour, drawn in the mean of the texture";
 
-/// Averages the textures, each once.
+/// The coordinates of a texture: the set TEXCOORD_n, and KHR_texture_transform.
+struct GltfMapping {
+    std::uint64_t set = 0;
+    glm::dvec2 offset{0}, scale{1};
+    double rotation = 0;   ///< radians, anticlockwise where t counts down
+    glm::dvec2 operator()(const glm::dvec2& st) const;
+};
+
+/// Reads the textures, each picture once.
 class GltfTextures {
 public:
     /// The caller must keep the document and the buffers alive.
@@ -24,7 +36,24 @@ public:
     /// it could be read.
     bool tint(GltfMaterial& material);
 
+    /// Returns the number of a material's texture in all(). Returns nothing if the load averages textures or
+    /// the picture cannot be read; tint() then serves. Throws UserError if the document is wrong.
+    std::optional<std::uint32_t> texture(const GltfMaterial& material);
+    /// Applies the average opacity of a texture, as tint() does.
+    void take_opacity(GltfMaterial& material, std::uint32_t texture) const;
+    /// Returns how a material's base texture lies on the mesh.
+    GltfMapping mapping(const GltfMaterial& material) const;
+    const std::vector<Texture>& all() const { return all_; }
+
 private:
+    /// A picture with the mean of its alpha.
+    struct GltfPicture {
+        std::shared_ptr<const Pyramid> pyramid;   ///< null: cannot be read
+        float opacity = 1;
+    };
+    GltfPicture picture(std::uint64_t image);
+    void sample(const JsonValue& texture, Texture& out) const;
+    void count_opacity(GltfMaterial& material) const;
     std::optional<glm::vec4> average(std::uint64_t image);
     JsonValue list(std::string_view key) const {
         return in_.find(key).value_or(JsonValue(empty_, file_)).array();
@@ -37,6 +66,10 @@ private:
     std::string file_;
     const Json empty_ = Json::array();
     std::map<std::uint64_t, std::optional<glm::vec4>> averages_;   // by image
+    std::map<std::uint64_t, GltfPicture> pictures_;                // by image
+    std::map<std::uint64_t, std::uint32_t> numbers_;               // by texture
+    std::vector<Texture> all_;
+    std::vector<float> opacities_;   // of all_
 };
 
 }   // namespace rayclock

@@ -34,6 +34,18 @@ void weight(const JsonValue& in, std::string_view key, double& out) {
     if (!(out >= 0 && out <= 1)) value->expected("a number within 0 and 1");
 }
 
+Wrap wrap_of(const JsonValue& in) {
+    if (in.raw() == "repeat") return Wrap::repeat;
+    if (in.raw() == "mirror") return Wrap::mirror;
+    if (in.raw() == "clamp") return Wrap::clamp;
+    in.expected("\"repeat\", \"mirror\" or \"clamp\", or a list of two of them for s and t");
+}
+
+glm::dvec2 point_of(const JsonValue& in) {
+    if (!in.raw().is_array() || in.size() != 2) in.expected("2 numbers, s and t");
+    return {in[0].number(), in[1].number()};
+}
+
 /// Reads a vector that can span a plane: its length lies within 1e-100 and 1e100.
 glm::dvec3 side(const JsonValue& in) {
     const glm::dvec3 v = in.triple();
@@ -104,9 +116,39 @@ Light light_of_keys(const JsonValue& in) {
     return light;
 }
 
+JsonTexture texture_of(const JsonValue& in) {
+    JsonTexture out;
+    if (in.raw().is_string()) {
+        out.file = in.string();
+        return out;
+    }
+    if (!in.raw().is_object()) in.expected("the name of a picture, or an object with 'file'");
+    in.only_keys({"file", "wrap", "filter", "mipmaps"});
+    out.file = in.at("file").string();
+    if (const auto wrap = in.find("wrap")) {
+        if (wrap->raw().is_array() && wrap->size() == 2)
+            out.texture.wrap_s = wrap_of((*wrap)[0]), out.texture.wrap_t = wrap_of((*wrap)[1]);
+        else
+            out.texture.wrap_s = out.texture.wrap_t = wrap_of(*wrap);
+    }
+    if (const auto filter = in.find("filter")) {
+        out.texture.nearest = filter->raw() == "nearest";
+        if (!out.texture.nearest && filter->raw() != "bilinear")
+            filter->expected("\"nearest\" or \"bilinear\"");
+    }
+    out.texture.mipmaps = flag_or(in, "mipmaps", true);
+    return out;
+}
+
 Material material_of(const JsonValue& in, Material material) {
     in.only_keys({"colour", "ambient", "diffuse", "highlight", "shine", "mirror", "transmit", "index",
                   "checkered", "other", "schlick"});
+    return material_of_keys(in, std::move(material));
+}
+
+Material material_of_keys(const JsonValue& in, Material material) {
+    in.only_keys({"colour", "ambient", "diffuse", "highlight", "shine", "mirror", "transmit", "index",
+                  "checkered", "other", "schlick", "texture", "cutoff"});
     if (const auto colour = in.find("colour")) material.colour = colour_of(*colour);
     if (const auto other = in.find("other")) material.other = colour_of(*other);
     weight(in, "ambient", material.ambient);
@@ -115,6 +157,7 @@ Material material_of(const JsonValue& in, Material material) {
     at_least(in, "shine", material.shine, 0);
     weight(in, "mirror", material.mirror);
     weight(in, "transmit", material.transmit);
+    weight(in, "cutoff", material.cutoff);
     at_least(in, "index", material.index, 0.01);
     material.checkered = flag_or(in, "checkered", material.checkered);
     material.schlick = flag_or(in, "schlick", material.schlick);
@@ -163,6 +206,16 @@ Scene inline_mesh(const JsonValue& in) {
         mesh.triangles.push_back(triangle);
     }
     if (mesh.triangles.empty()) triangles.refuse("has no triangles");
+    if (const auto coordinates = in.find("coordinates")) {
+        if (coordinates->array().size() != mesh.triangles.size())
+            coordinates->refuse(
+                fmt::format("has {} entries for {} triangles", coordinates->size(), mesh.triangles.size()));
+        for (std::size_t i = 0; i < coordinates->size(); ++i) {
+            const JsonValue corners = (*coordinates)[i];
+            if (!corners.raw().is_array() || corners.size() != 3) corners.expected("3 points [s, t]");
+            mesh.coordinates.push_back({point_of(corners[0]), point_of(corners[1]), point_of(corners[2])});
+        }
+    }
     mesh.materials.push_back({.name = "default"});
     return mesh;
 }

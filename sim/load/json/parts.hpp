@@ -16,6 +16,15 @@ Camera camera_of_keys(const JsonValue& in);
 Light light_of_keys(const JsonValue& in);
 /// Returns `material` with the keys of `in` replaced.
 Material material_of(const JsonValue& in, Material material);
+/// Does the same, and allows the key "texture", which the caller reads.
+Material material_of_keys(const JsonValue& in, Material material);
+
+/// The value of a material's key "texture".
+struct JsonTexture {
+    std::string file;   ///< relative to the scene file
+    Texture texture;    ///< without its picture
+};
+JsonTexture texture_of(const JsonValue& in);
 
 /// Read a sphere or a plane without its material, which the caller looks up by name.
 Sphere sphere_of(const JsonValue& in);
@@ -26,7 +35,7 @@ glm::dvec3 colour_of(const JsonValue& in);
 /// Returns true or false, or `otherwise` if the key is missing.
 bool flag_or(const JsonValue& in, std::string_view key, bool otherwise);
 
-/// Reads inline "vertices" and "triangles", all of material 0.
+/// Reads inline "vertices", "triangles" and "coordinates", all of material 0.
 Scene inline_mesh(const JsonValue& in);
 
 /// A rotation about a unit vector.

@@ -19,6 +19,7 @@
 #include "sim/load/json/shapes.hpp"
 #include "sim/load/mesh/mesh_file.hpp"
 #include "sim/load/place.hpp"
+#include "sim/load/textures.hpp"
 #include "sim/files/text.hpp"
 
 namespace rayclock {
@@ -59,7 +60,7 @@ public:
             for (const auto& [name, ignored] : materials->object().raw().items()) {
                 make_room(*materials, sizeof(Material));
                 material_numbers_[name] = static_cast<std::uint32_t>(scene_.materials.size());
-                scene_.materials.push_back(material_of(materials->at(name), {.name = name}));
+                scene_.materials.push_back(material(name, materials->at(name)));
             }
         // A scene with spheres or planes needs no mesh.
         const bool has_others = in_.find("spheres") || in_.find("planes");
@@ -75,6 +76,37 @@ private:
     /// Charges bytes to the memory allowance of the files. Throws UserError if it is used up.
     void make_room(const JsonValue& from, std::uint64_t bytes) {
         if (!library_.loading().may_make(bytes)) from.refuse(library_.loading().too_much());
+    }
+
+    Material material(const std::string& name, const JsonValue& in) {
+        Material made = material_of_keys(in, {.name = name});
+        if (const auto texture = in.find("texture")) {
+            const JsonTexture given = texture_of(*texture);
+            const JsonValue file = texture->raw().is_object() ? texture->at("file") : *texture;
+            give_picture(made, given, file);
+        }
+        return made;
+    }
+
+    /// Reads a picture. The load draws it, or its average colour.
+    void give_picture(Material& material, const JsonTexture& given, const JsonValue& from) {
+        const std::filesystem::path path = path_.parent_path() / given.file;
+        Loading& loading = library_.loading();
+        std::string why;
+        if (!loading.draws_textures()) {
+            const auto average = loading.average(loading.read(path, from.where()), why);
+            if (!average) from.refuse("names " + shown(given.file) + ", which cannot be drawn: " + why);
+            material.colour *= glm::dvec3(*average);
+            return;
+        }
+        auto& pyramid = pictures_[path.lexically_normal().string()];
+        if (!pyramid)
+            pyramid = read_pyramid(loading.read(path, from.where()), path_.string(),
+                                   "the picture " + shown(given.file), loading, why);
+        if (!pyramid) from.refuse("names " + shown(given.file) + ", which cannot be drawn: " + why);
+        material.texture = static_cast<std::uint32_t>(scene_.textures.size());
+        scene_.textures.push_back(given.texture);
+        scene_.textures.back().name = printable(given.file, 80), scene_.textures.back().pyramid = pyramid;
     }
 
     /// A named mesh, and the positions of its parts in the scene from their first use on.
@@ -140,12 +172,14 @@ private:
     }
 
     Part mesh(const JsonValue& in) {
-        in.only_keys({"file", "builtin", "native", "shapes", "vertices", "triangles"});
+        in.only_keys({"file", "builtin", "native", "shapes", "vertices", "triangles", "coordinates"});
         const bool is_inline = in.find("vertices") || in.find("triangles");
         const auto shapes = in.find("shapes");
         if (is_inline + in.find("file").has_value() + in.find("builtin").has_value() + shapes.has_value() !=
             1)
             in.refuse("needs one of 'file', 'builtin', 'shapes', or 'vertices' with 'triangles'");
+        if (const auto coordinates = in.find("coordinates"); coordinates && !is_inline)
+            coordinates->refuse("belongs to 'triangles' only");
         if (const auto native = in.find("native"); native && !in.find("builtin"))
             native->refuse("belongs to a 'builtin' only");
         if (const auto file = in.find("file"))
@@ -232,7 +266,13 @@ private:
             const std::vector<Material>& materials = mesh.part->own.materials;
             make_room(from, materials.size() * sizeof(Material));
             mesh.material_base = static_cast<std::uint32_t>(scene_.materials.size());
-            scene_.materials.insert(scene_.materials.end(), materials.begin(), materials.end());
+            const auto texture_base = static_cast<std::uint32_t>(scene_.textures.size());
+            for (Material material : materials) {
+                if (material.texture) *material.texture += texture_base;
+                scene_.materials.push_back(std::move(material));
+            }
+            const std::vector<Texture>& textures = mesh.part->own.textures;
+            scene_.textures.insert(scene_.textures.end(), textures.begin(), textures.end());
         }
         return *mesh.material_base;
     }
@@ -249,7 +289,7 @@ private:
         const std::uint32_t base = material ? 0 : material_base(from, mesh);
         check_spheres(from, part, transform);
         make_room(from, bytes_of(part.own) - part.own.materials.size() * sizeof(Material));
-        append(scene_, part.own, transform, material, base);
+        append_part(scene_, part.own, transform, material, base);
         compose(from, mesh, {transform, {}}, material);
     }
 
@@ -262,8 +302,9 @@ private:
             from.refuse("moves true spheres or planes; only triangles can move");
         if (!part.own.triangles.empty()) {
             if (!mesh.shared)
-                mesh.shared = add_mesh(from, {"", part.own.vertices, part.own.normals, part.own.triangles},
-                                       material_base(from, mesh));
+                mesh.shared = add_mesh(
+                    from, {"", part.own.vertices, part.own.normals, part.own.triangles, part.own.coordinates},
+                    material_base(from, mesh));
             instance(from, *mesh.shared, where, material);
         }
         Scene round;
@@ -325,6 +366,7 @@ private:
     PlacedScene placed_;
     Scene& scene_ = placed_.own;
     std::map<std::string, std::uint32_t> material_numbers_;
+    std::map<std::string, std::shared_ptr<const Pyramid>> pictures_;   // by path
     std::optional<std::uint32_t> grey_;
     std::uint64_t placed_triangles_ = 0;
     std::map<std::string, Named> meshes_;

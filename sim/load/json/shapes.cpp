@@ -80,6 +80,8 @@ private:
             Triangle triangle{.vertex = {}, .material = first.materials[f]};
             for (std::size_t i = 0; i < 3; ++i) triangle.vertex[i] = vertex(begin + cut[i]);
             triangles_.push_back(triangle);
+            coordinates_.push_back({first.corners[begin + cut[0]].st, first.corners[begin + cut[1]].st,
+                                    first.corners[begin + cut[2]].st});
         }
     }
 
@@ -108,9 +110,9 @@ private:
                     unit_or_zero(glm::dvec3(shape.normals[shape.corners[c].normal - 1])));
         }
         PlacedScene scene;
-        scene.own.materials = shapes_[0].known;
+        scene.own.materials = shapes_[0].known, scene.own.textures = shapes_[0].textures;
         scene.meshes.push_back({list_.path(), places[0], is_smooth_ ? normals[0] : std::vector<glm::dvec3>{},
-                                std::move(triangles_)});
+                                std::move(triangles_), std::move(coordinates_)});
         scene.instances.push_back({list_.path(), 0, glm::dmat4(1), {}});
         Deforming deforming;
         deforming.name = list_.where();
@@ -130,6 +132,7 @@ private:
     std::map<std::vector<std::uint32_t>, std::uint32_t> vertices_;
     std::vector<std::size_t> corners_;   // corners of the files, by vertex
     std::vector<Triangle> triangles_;
+    std::vector<CornerCoordinates> coordinates_;   // of the first shape
     std::vector<glm::dvec3> points_;
     std::vector<std::array<std::uint32_t, 3>> cut_;
 };

@@ -81,12 +81,12 @@ void Assembly::put(Scene& into, std::size_t number, const glm::dmat4& place, std
     const Part& part = parts_[number];
     if (part.shape.triangles.empty()) return;
     if (!loading_.may_make(part.shape)) SourcePosition{file_}.refuse(loading_.too_much());
-    if (part.colours.empty()) return append(into, part.shape, place, this->material(material, make), 0);
+    if (part.colours.empty()) return append_part(into, part.shape, place, this->material(material, make), 0);
     Scene coloured = part.shape;
     for (Triangle& t : coloured.triangles)
         t.material =
             this->material(material, make, t.material == 0 ? glm::vec3(1) : part.colours[t.material - 1]);
-    append(into, coloured, place, std::nullopt, 0);
+    append_part(into, coloured, place, std::nullopt, 0);
 }
 
 std::uint32_t Assembly::material(std::uint64_t material, const std::function<Material()>& make,

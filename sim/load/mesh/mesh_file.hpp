@@ -49,21 +49,34 @@ PlacedScene read_placed_gltf(const std::filesystem::path& path, std::string byte
 struct ObjShape {
     struct Corner {
         std::uint32_t position = 0, normal = 0;   ///< counted from 1; normal 0: none
+        glm::dvec2 st = no_coordinates;
     };
     std::vector<glm::vec3> positions, normals;
     std::vector<Corner> corners;            ///< of all faces
     std::vector<std::size_t> ends;          ///< end of each face in `corners`
     std::vector<std::uint32_t> materials;   ///< of each face, an index into `known`
     std::vector<Material> known;
+    std::vector<Texture> textures;   ///< of `known`
 };
 ObjShape read_obj_shape(const std::filesystem::path& path, std::string text, Loading& loading);
+
+/// The picture of a material's diffuse colour: the statement `map_Kd`.
+struct MtlPicture {
+    std::string file;                 ///< as written, with / as the separator
+    glm::dvec2 scale{1}, offset{0};   ///< of the coordinates, before t turns down
+    bool clamps = false;
+    std::vector<std::string> ignored;   ///< options that are not drawn
+};
 
 /// One `newmtl` block of an MTL file.
 struct MtlBlock {
     std::string name;
     MtlSurface surface;
-    bool has_textures = false;
-    std::string fault;   ///< the message about the first wrong value, or empty
+    bool has_textures = false;   ///< textures other than `picture`
+    std::optional<MtlPicture> picture{};
+    bool has_diffuse = false;         ///< names its diffuse colour
+    std::string fault;                ///< the message about the first wrong value, or empty
+    std::filesystem::path folder{};   ///< of the MTL file
 };
 /// Reads the blocks of an MTL file. Throws UserError if it is not text.
 std::vector<MtlBlock> read_mtl(const std::filesystem::path& path, std::string_view text, Loading& loading);

@@ -32,8 +32,64 @@ double single(std::string_view rest, const SourcePosition& at) {
     return finite_number(word, at);
 }
 
-void statement(std::string_view key, std::string_view rest, const SourcePosition& at, MtlBlock& block) {
+double number_of(std::string_view& rest, const SourcePosition& at) {
+    return finite_number(take_word(rest), at);
+}
+
+/// Reads up to three numbers, of which the last may be missing. Keeps the first two.
+void pair_of(std::string_view& rest, const SourcePosition& at, glm::dvec2& out) {
+    out.x = number_of(rest, at);
+    for (int k = 1; k < 3; ++k) {
+        std::string_view after = rest;
+        const std::optional<float> value = float_of(take_word(after));
+        if (!value) return;
+        if (k == 1) out.y = double(*value);
+        rest = after;
+    }
+}
+
+/// Reads "map_Kd -s 2 2 1 -clamp on wood.png". Options come first; a name may contain blanks.
+MtlPicture picture_of(std::string_view rest, const SourcePosition& at) {
+    MtlPicture picture;
+    for (;;) {
+        std::string_view after = rest;
+        const std::string_view option = take_word(after);
+        if (option == "-s") {
+            pair_of(after, at, picture.scale);
+        } else if (option == "-o") {
+            pair_of(after, at, picture.offset);
+        } else if (option == "-clamp") {
+            picture.clamps = take_word(after) == "on";
+        } else if (option == "-t") {
+            glm::dvec2 turbulence{0};
+            pair_of(after, at, turbulence);
+            picture.ignored.emplace_back(option);
+        } else if (option == "-mm") {
+            number_of(after, at), number_of(after, at);
+            picture.ignored.emplace_back(option);
+        } else if (option == "-bm" || option == "-boost" || option == "-texres" || option == "-blendu" ||
+                   option == "-blendv" || option == "-cc" || option == "-imfchan" || option == "-type") {
+            take_word(after);
+            picture.ignored.emplace_back(option);
+        } else {
+            break;
+        }
+        rest = after;
+    }
+    picture.file = joined_words(rest);
+    std::replace(picture.file.begin(), picture.file.end(), '\\', '/');
+    if (picture.file.empty()) at.refuse("map_Kd names no picture");
+    return picture;
+}
+
+void statement(std::string_view key, std::string_view rest, const SourcePosition& at, bool draws_textures,
+               MtlBlock& block) {
     MtlSurface& surface = block.surface;
+    if (key == "map_Kd" && draws_textures) {
+        block.picture = picture_of(rest, at);
+        return;
+    }
+    block.has_diffuse = block.has_diffuse || key == "Kd";
     if (key == "Kd")
         colour(key, rest, at, surface.diffuse);
     else if (key == "Ks")
@@ -77,7 +133,7 @@ std::vector<MtlBlock> read_mtl(const std::filesystem::path& path, std::string_vi
             blocks.push_back({.name = std::move(name), .surface = {}, .fault = {}});
         } else if (!blocks.empty() && blocks.back().fault.empty()) {
             try {
-                statement(key, line, at, blocks.back());
+                statement(key, line, at, loading.draws_textures(), blocks.back());
             } catch (const UserError& error) {   // an error only if a face uses the material
                 blocks.back().fault = error.what();
             }

@@ -1,8 +1,9 @@
 // OBJ: checks every statement and reports errors with their line. Reads positions, normals, faces, the
-// materials of faces and the colours of vertices. Drops groups, objects, texture coordinates, curves, points
+// materials of faces with their pictures, and the colours of vertices. Drops groups, objects, curves, points
 // and lines. Keeps faces in the order of the file.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
@@ -14,16 +15,17 @@
 #include "sim/files/input.hpp"
 #include "sim/files/text.hpp"
 #include "sim/load/mesh/mesh_file.hpp"
+#include "sim/load/textures.hpp"
 
 namespace rayclock {
 namespace {
 
 /// Statements of the format that do not affect triangles.
-constexpr std::array<std::string_view, 34> silent{
-    "vt",     "vp",         "g",         "o",     "s",     "p",        "l",        "mg",   "cstype",
-    "deg",    "bmat",       "step",      "curv",  "curv2", "surf",     "parm",     "trim", "hole",
-    "scrv",   "sp",         "end",       "con",   "bevel", "c_interp", "d_interp", "lod",  "maplib",
-    "usemap", "shadow_obj", "trace_obj", "ctech", "stech", "call",     "csh"};
+constexpr std::array<std::string_view, 33> silent{
+    "vp",         "g",         "o",     "s",     "p",        "l",        "mg",   "cstype", "deg",
+    "bmat",       "step",      "curv",  "curv2", "surf",     "parm",     "trim", "hole",   "scrv",
+    "sp",         "end",       "con",   "bevel", "c_interp", "d_interp", "lod",  "maplib", "usemap",
+    "shadow_obj", "trace_obj", "ctech", "stech", "call",     "csh"};
 
 /// The continuation of a warning about a statement that OBJ does not have, which is an extension of some
 /// program or an error.
@@ -109,6 +111,8 @@ public:
             vertex(rest);
         else if (key == "vn")
             normal(rest);
+        else if (key == "vt")
+            texture_vertex(rest, line);
         else if (key == "f" || key == "fo")
             face(rest);
         else if (key == "usemtl")
@@ -138,12 +142,18 @@ public:
 
     ObjShape finish_shape() {
         warnings_.say(loading_);
-        ObjShape shape{{}, {}, {}, {}, {}, read_materials()};
+        ObjShape shape{{}, {}, {}, {}, {}, read_materials(), {}};
+        shape.textures = std::move(textures_);
         for (std::size_t i = 0; i < runs_.size(); ++i) {
             shape.materials.resize(end_of_run(i), static_cast<std::uint32_t>(runs_[i].material));
         }
         shape.positions = std::move(positions_), shape.normals = std::move(directions_);
-        shape.corners = std::move(corners_), shape.ends = std::move(ends_);
+        for (std::size_t i = 0; i < runs_.size(); ++i)
+            for (std::size_t f = runs_[i].first_face; f < end_of_run(i); ++f)
+                for (std::size_t k = corner_of_face(f); k < ends_[f]; ++k)
+                    shape.corners.push_back({corners_[k].position, corners_[k].normal,
+                                             coordinates_of(k, f, shape.known[runs_[i].material])});
+        shape.ends = std::move(ends_);
         return shape;
     }
 
@@ -152,12 +162,13 @@ public:
         Assembly assembly(at_.file, loading_);
         for (std::size_t i = 0; i < runs_.size(); ++i) {
             loading_.report_progress("joining", i, runs_.size());
-            assembly.add(part(i, assembly));
+            assembly.add(part(i, assembly, materials[runs_[i].material]));
         }
         assembly.make_alike();
         for (std::size_t i = 0; i < runs_.size(); ++i)
             assembly.place(i, glm::dmat4(1), runs_[i].material, [&] { return materials[runs_[i].material]; });
         Scene scene = assembly.take();
+        scene.textures = std::move(textures_);
         warnings_.say(loading_);
         return scene;
     }
@@ -168,11 +179,15 @@ private:
         std::size_t first_face, material;
         bool is_smooth = false;
     };
-    using Index = ObjShape::Corner;
+    /// A corner by numbers from 1. `texture` is 0 or a number above the final count if it has none.
+    struct Index {
+        std::uint32_t position = 0, normal = 0, texture = 0;
+    };
     /// The number of a corner for which the face names no normal.
     static constexpr std::uint32_t no_normal = std::numeric_limits<std::uint32_t>::max();
 
     /// A vertex whose position cannot be read, and the words after its `v`.
+    /// The same for texture coordinates, after `vt`.
     struct Fault {
         std::uint32_t index;   ///< counted from 1
         std::uint64_t line;
@@ -250,6 +265,21 @@ private:
         directions_.push_back(direction.value_or(glm::vec3(0)));
     }
 
+    /// Reads texture coordinates. Only their use on a picture makes a wrong number an error.
+    void texture_vertex(std::string_view rest, std::string_view line) {
+        check_text(line, at_, "OBJ");
+        if (!loading_.draws_textures()) return;
+        if (coordinates_.size() == std::numeric_limits<std::uint32_t>::max()) return;
+        const std::string words = joined_words(rest);
+        const std::optional<float> s = float_of(take_word(rest));
+        const std::string_view second = take_word(rest);
+        const std::optional<float> t = second.empty() ? 0.0f : float_of(second);
+        if (!s || !t)
+            texture_faults_.push_back({static_cast<std::uint32_t>(coordinates_.size() + 1), at_.line, words});
+        coordinates_.emplace_back(s.value_or(0), t.value_or(0));
+        coordinate_count_.add(at_);
+    }
+
     void face(std::string_view rest) {
         const std::size_t start = corners_.size();
         if (runs_.empty()) use("default");
@@ -272,7 +302,7 @@ private:
         Index index{static_cast<std::uint32_t>(vertices_.absolute(word.substr(0, first), at_)), no_normal};
         if (first != word.npos) {
             const std::string_view texture = word.substr(first + 1, second - first - 1);
-            if (!texture.empty()) whole_number(texture, at_);
+            if (!texture.empty()) index.texture = coordinate_count_.absolute_or_none(texture, at_);
         }
         if (second != word.npos && second + 1 != word.size())
             index.normal = std::min(normals_.absolute_or_none(word.substr(second + 1), at_), no_normal - 1);
@@ -324,6 +354,7 @@ private:
                               "the material file " + shown(name) + " lies outside the folder of the mesh");
             Warnings unused(path.string());
             for (MtlBlock& block : read_mtl(path, loading_.read(path, from), loading_)) {
+                block.folder = path.parent_path();
                 if (!block.fault.empty() && !used_.contains(block.name))
                     unused.count("unused material", "with values that make no sense, left out", 0,
                                  block.name);
@@ -337,6 +368,40 @@ private:
     /// Returns the colour of materials that the file lacks: white if vertices have colours, which then show
     /// unchanged.
     glm::vec3 unknown_colour() const { return glm::vec3(colours_.empty() ? 0.8f : 1.0f); }
+
+    /// Returns the texture of a material. Meshes often travel without their pictures, so one that cannot be
+    /// read only causes a note.
+    std::optional<std::uint32_t> texture_of(const MtlBlock& block) {
+        if (!block.picture) return std::nullopt;
+        const MtlPicture& map = *block.picture;
+        const std::filesystem::path path = (block.folder / map.file).lexically_normal();
+        const auto [found, is_new] = pictures_.try_emplace(path.string());
+        if (is_new) found->second = read_picture(path, map);
+        if (!found->second) return std::nullopt;
+        for (const std::string& option : map.ignored)
+            warnings_.count("option", "of map_Kd ignored", 0, option);
+        const Wrap wrap = map.clamps ? Wrap::clamp : Wrap::repeat;
+        textures_.push_back({printable(map.file, 80), found->second, wrap, wrap});
+        mappings_.push_back({map.scale, map.offset});
+        return static_cast<std::uint32_t>(textures_.size() - 1);
+    }
+
+    std::shared_ptr<const Pyramid> read_picture(const std::filesystem::path& path, const MtlPicture& map) {
+        const std::string name = "the picture " + printable(path.string());
+        std::string bytes;
+        try {
+            bytes = loading_.read(path);
+        } catch (const UserError& error) {
+            loading_.note(at_.file, std::string("a picture is not drawn: ") + error.what());
+            return nullptr;
+        }
+        if (leaves_folder(map.file))
+            loading_.note(at_.file, name + " lies outside the folder of the material file");
+        std::string why;
+        auto pyramid = read_pyramid(bytes, at_.file, name, loading_, why);
+        if (!pyramid) loading_.note(at_.file, name + " is not drawn: " + printable(why, 300));
+        return pyramid;
+    }
 
     /// Returns all materials in use. The first definition of a name counts. An undefined material is plain
     /// grey.
@@ -356,15 +421,55 @@ private:
             const auto note_if = [&, &of = name](bool is_so, const char* became) {
                 if (is_so) warnings_.count("material", became, 0, of);
             };
-            materials[number] = material_of(block.surface, name);
+            MtlSurface surface = block.surface;
+            const std::optional<std::uint32_t> texture = texture_of(block);
+            // The format's default is a middle grey, but a picture alone shows its own colours.
+            if (texture && !block.has_diffuse) surface.diffuse = glm::vec3(1);
+            materials[number] = material_of(surface, name);
+            materials[number].texture = texture;
             note_if(is_out_of_range(block.surface), "with values out of range, taken as the nearest within");
             note_if(!add_emission(materials[number], glm::dvec3(block.surface.emission)), mixed_emission);
-            note_if(block.has_textures, "with textures, which are not drawn");
+            note_if(block.has_textures, block.picture ? "with other textures, which are not drawn"
+                                                      : "with textures, which are not drawn");
         }
         return materials;
     }
 
-    PartBuilder part(std::size_t number, Assembly& assembly) {
+    /// Returns a corner's coordinates on the picture of its material, or on any picture if it has none. t
+    /// counts up in the file. Throws UserError if the picture cannot be drawn there.
+    glm::dvec2 coordinates_of(std::size_t corner, std::size_t face, const Material& material) {
+        const std::uint32_t index = corners_[corner].texture;
+        if (index == 0 || index > coordinates_.size()) return no_coordinates;
+        const auto map = material.texture ? mappings_.at(*material.texture) : Mapping{};
+        const auto by_index = [](const TextureFault& fault, std::uint32_t i) { return fault.index < i; };
+        const auto fault = std::lower_bound(texture_faults_.begin(), texture_faults_.end(), index, by_index);
+        if (fault != texture_faults_.end() && fault->index == index) {
+            if (material.texture)
+                SourcePosition{at_.file, fault->line}.refuse(
+                    "vt " + shown(fault->words) + " is not a point on a picture, and a face uses it");
+            return no_coordinates;
+        }
+        const glm::dvec2 given = glm::dvec2(coordinates_[index - 1]) * map.scale + map.offset;
+        const glm::dvec2 st(given.x, 1 - given.y);
+        if (material.texture)
+            for (const double x : {given.x, given.y})
+                if (!(std::abs(x) <= most_given_coordinate))
+                    at_.refuse(fmt::format("face {} has the texture coordinate {}; the most is {}", face + 1,
+                                           x, most_given_coordinate));
+        return st;
+    }
+
+    /// Throws UserError if a face spans too much of its picture.
+    void check_span(const std::vector<Corner>& corners, std::size_t face, const Material& material) const {
+        if (!material.texture) return;
+        for (std::size_t k = 2; k < corners.size(); ++k)
+            if (const std::string why = coordinate_fault(textures_[*material.texture],
+                                                         {corners[0].st, corners[k - 1].st, corners[k].st});
+                !why.empty() && !std::isnan(corners[0].st.x + corners[k - 1].st.x + corners[k].st.x))
+                at_.refuse(fmt::format("face {} {}", face + 1, why));
+    }
+
+    PartBuilder part(std::size_t number, Assembly& assembly, const Material& material) {
         const std::size_t begin = runs_[number].first_face, end = end_of_run(number);
         PartBuilder builder(end - begin, runs_[number].is_smooth);
         std::vector<Corner> corners;
@@ -375,9 +480,11 @@ private:
                 const Index& index = corners_[k];
                 corners.push_back(
                     {glm::dvec3(positions_[index.position - 1]),
-                     index.normal == 0 ? glm::dvec3(0) : glm::dvec3(directions_[index.normal - 1])});
+                     index.normal == 0 ? glm::dvec3(0) : glm::dvec3(directions_[index.normal - 1]),
+                     coordinates_of(k, f, material)});
                 colour.add(index.position <= colours_.size() ? colours_[index.position - 1] : std::nullopt);
             }
+            check_span(corners, f, material);
             if (colour.varies()) warnings_.count("face", mixed_colours);
             assembly.face(builder, corners, builder.colour(colour.mean()));
         }
@@ -398,6 +505,16 @@ private:
                                                        did_you_mean(unknown_.name, known));
     }
 
+    struct TextureFault {
+        std::uint32_t index;   ///< counted from 1
+        std::uint64_t line;
+        std::string words;   ///< after the `vt`
+    };
+    /// From the coordinates of the file to those on a picture.
+    struct Mapping {
+        glm::dvec2 scale{1}, offset{0};
+    };
+
     struct Library {
         std::string name;
         std::uint64_t line;
@@ -407,11 +524,16 @@ private:
     SourcePosition at_;
     Loading& loading_;
     Warnings warnings_;
-    Counted vertices_{"vertex"}, normals_{"normal"};
+    Counted vertices_{"vertex"}, normals_{"normal"}, coordinate_count_{"texture coordinate"};
     std::vector<glm::vec3> positions_, directions_;
     /// Colours of the first vertices, up to the last one with a colour.
     std::vector<std::optional<glm::vec3>> colours_;
     std::vector<Fault> faults_;
+    std::vector<glm::vec2> coordinates_;   ///< as in the file
+    std::vector<TextureFault> texture_faults_;
+    std::vector<Texture> textures_;
+    std::vector<Mapping> mappings_;                                    ///< of the textures
+    std::map<std::string, std::shared_ptr<const Pyramid>> pictures_;   ///< by path; null: not drawn
     std::vector<Index> corners_;
     std::vector<std::size_t> ends_;   ///< end of each face in `corners_`
     std::vector<Run> runs_;

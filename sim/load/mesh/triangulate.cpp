@@ -45,9 +45,9 @@ constexpr std::uint32_t none = ~std::uint32_t{0};
 /// reflex, so a spot outside the triangle needs no second test. A corner waits for the spot in its triangle.
 /// While its neighbours stay the same, it tests every spot once instead of once per round. Spots are sorted
 /// by x, and many corners in one place make one spot.
-class Ring {
+class CornerRing {
 public:
-    explicit Ring(const Points& points)
+    explicit CornerRing(const Points& points)
         : points_(points), corners_(points.size()), may_be_ear_((points.size() + 63) / 64, 0) {
         const std::uint32_t n = size();
         for (std::uint32_t i = 0; i < n; ++i) {
@@ -191,7 +191,7 @@ private:
 void triangulate(std::span<const glm::dvec3> corners, std::vector<std::array<std::uint32_t, 3>>& out) {
     if (corners.size() == 3) return out.push_back({0, 1, 2});
     const Points points = flatten(corners);
-    Ring ring(points);
+    CornerRing ring(points);
     std::uint32_t at = 1;   // splits a quad from corner 0 to corner 2, as is usual
     for (std::size_t left = corners.size(); left > 3; --left) {
         const std::uint32_t ear = ring.ear_from(at);

@@ -16,13 +16,15 @@ LineJudge::LineJudge(const Config& config, const RtlMachine& rtl, Findings& find
     constexpr std::pair<Link, Link> all[] = {
         {Link::mem_req, Link::mem_rsp},     {Link::l2_req, Link::l2_rsp},
         {Link::node_miss, Link::node_fill}, {Link::prim_miss, Link::prim_fill},
-        {Link::surf_miss, Link::surf_fill}, {Link::stream_miss, Link::stream_fill}};
+        {Link::surf_miss, Link::surf_fill}, {Link::stream_miss, Link::stream_fill},
+        {Link::tex_miss, Link::tex_fill}};
     const auto ids = [&](Link c) {
         const int bits = c == Link::mem_req     ? config.mem_id_bits()
                          : c == Link::l2_req    ? config.client_id_bits()
                          : c == Link::node_miss ? config.node_miss_bits()
                          : c == Link::prim_miss ? config.prim_miss_bits()
                          : c == Link::surf_miss ? config.surf_miss_bits()
+                         : c == Link::tex_miss  ? config.tex_miss_bits()
                                                 : config.stream_miss_bits();
         return std::size_t(1) << bits;
     };
@@ -50,7 +52,7 @@ Divergence LineJudge::at(std::uint64_t now, int pipeline, Link c, std::uint32_t 
 /// Returns false if no request waits for the answer and this is not the last try.
 bool LineJudge::answer(std::uint64_t now, Pair& pair, int pipeline, bool is_last) {
     return with_payload(pair.rsp, [&]<class P>() {
-        if constexpr (requires(P p) { p.line; }) {
+        if constexpr (requires(P p) { p.id, p.line; }) {
             const P got = get_data<P>(rtl_.link(pipeline, pair.rsp), config_);
             auto& waits = pair.waits[std::size_t(pipeline)];
             auto* const request = got.id < waits.size() && waits[got.id] ? &waits[got.id] : nullptr;

@@ -74,6 +74,7 @@ Film::Film(Request request, const FramesOptions& options, bool view_is_given, Fr
     placed_ = *scene.placed;
     placed_.own.name = scene.name;
     placed_.own.materials = scene.materials;   // the picture's settings may have changed them
+    placed_.own.textures = scene.textures;
     if (placed_.own.lights.empty()) placed_.own.lights = scene.lights;
     camera_moves_ = !placed_.motion.camera.empty() && !view_is_given;
     if (!for_chip) return;
@@ -170,7 +171,8 @@ void Film::next() {
 
 void Film::set_registers() {
     if (job_.config.shading)   // lights move too
-        job_.frame.shade = make_shade_frame(request_.scene, request_.settings, job_.image, job_.config);
+        job_.frame.shade = make_shade_frame(request_.scene, request_.settings, job_.image,
+                                            std::uint32_t(job_.size.height), job_.config);
     job_.frame = job_frame(job_, camera());
 }
 

@@ -92,7 +92,8 @@ Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Con
     Job job{config, {}, compile_scene(scene, camera.eye, config, progress), size};
     check_capacity(job.image, config);
     if (config.has_instances() && scene.placed) job.mirrored = mirrored_primitives(*scene.placed, job.image);
-    if (config.has_shade()) job.frame.shade = make_shade_frame(scene, settings, job.image, config);
+    if (config.has_shade())
+        job.frame.shade = make_shade_frame(scene, settings, job.image, std::uint32_t(size.height), config);
     job.frame = job_frame(job, camera);
     return job;
 }

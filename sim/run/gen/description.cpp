@@ -24,6 +24,7 @@ std::string walked_text(Presence when) {
 std::string when_text(Presence when) {
     switch (when) {
         case Presence::shade: return "`shading`";
+        case Presence::textures: return "`textures`";
         case Presence::stream: return "`source=stream`";
         case Presence::shared_cache: return "`l2_sets` above 0";
         case Presence::nodes: return "`structure` is not none";

@@ -14,6 +14,7 @@
 #include "model/unit/shade/state.hpp"
 #include "model/engine/spheres/tables.hpp"
 #include "model/unit/shade/tables.hpp"
+#include "model/unit/tex/texel.hpp"
 #include "model/core/parameters.hpp"
 #include "sim/run/gen/registers.hpp"
 
@@ -59,7 +60,7 @@ template <class Payload> void check_names(const std::vector<std::string_view>& n
     NameVisitor known;
     Config all;
     all.shading = all.spheres = all.planes = all.smooth = all.refraction = all.supersampling = all.horizon =
-        true;
+        all.textures = true;
     all.panes = max_panes, all.levels = 2;
     Config sheared;
     sheared.primitive_test = PrimitiveTest::sheared;
@@ -143,6 +144,7 @@ public:
         constant("PrimWords", config_.prim_line / line_bytes);
         constant("SurfWords", config_.surf_line / line_bytes);
         constant("StreamWords", config_.stream_line / line_bytes);
+        constant("TexWords", config_.tex_line / line_bytes);
         constant("L2Words", config_.l2_line / line_bytes);
     }
     void constant(const std::string& name, int value) {
@@ -247,20 +249,20 @@ void parts(Package& p, const Config& config) {
     Config shading = config;   // other chips do not use these records, but tools parse the units of shade
     shading.shading = true;
     p.part<Closest>("shade_hit", {"found", "back", "prim", "t", "u", "v"}, shading);
-    p.part<Placement>("shade_place", {"here", "a", "b"}, shading);
+    p.part<Placement>("shade_place", {"here", "texel_scale", "a", "b"}, shading);
     p.part<ShadeState>("shade_pixel", {"x", "y"});
     p.part<ShadeState>("shade_every", {"next_event", "pending", "found", "prim", "t", "u", "v", "colour",
-                                       "weight", "depth", "light", "in_cell", "across"});
+                                       "weight", "depth", "light", "in_cell", "across", "path", "holes"});
     p.part<ShadeState>("shade_point", {"o", "normal", "view", "cosine"});
     p.part<ShadeState>("shade_face", {"n", "is_far", "is_lost", "albedo"});
     p.part<ShadeState>("shade_share", {"share"});
     p.part<ShadeState>("shade_samples", {"sample", "sum", "least", "most"});
     p.part<ShadeState>("shade_waits", {"waiting", "total"});
-    p.part<ShadeState>("shade_look", {"diffuse", "highlight", "mirror", "shine"});
+    p.part<ShadeState>("shade_look", {"diffuse", "highlight", "mirror", "shine", "ambient", "record"});
     p.part<ShadeState>("shade_bend", {"transmit", "ratio", "schlick", "r0"});
     p.part<ShadeState>("shade_self", {"self", "is_inside"});
-    p.part<ShadeState>("material", {"diffuse", "highlight", "mirror", "shine", "transmit", "ratio", "schlick",
-                                    "r0", "self", "is_inside"});
+    p.part<ShadeState>("material", {"diffuse", "highlight", "mirror", "shine", "ambient", "record",
+                                    "transmit", "ratio", "schlick", "r0", "self", "is_inside"});
 }
 
 /// Adds widths and latencies that follow from the parameters.
@@ -271,7 +273,8 @@ void derived(Package& p, const Config& c) {
     p.constant("OriginBits", c.origin_frac());
     p.constant("Shades", int(c.has_shade()));
     p.constant("Streams", int(c.is_stream()));   // rays come from records in memory
-    p.constant("Homes", int(c.has_homes()));     // rays start from instances
+    p.constant("HasTextures", int(c.has_textures()));
+    p.constant("Homes", int(c.has_homes()));   // rays start from instances
     p.constant("OriginWidth", c.origin_width());
     p.constant("PointWidth", c.point_width());
     p.constant("ApproachShift", c.approach_shift());
@@ -300,6 +303,15 @@ void derived(Package& p, const Config& c) {
     p.constant("RootBits", root_bits);
     p.constant("MostFine", most_fine);
     p.constant("SampleBits", sample_bits);
+    p.constant("CoordinateBits", coordinate_bits);   // of a texture coordinate
+    p.constant("CoordinateFrac", coordinate_frac);
+    p.constant("TexelFrac", texel_frac);
+    p.constant("SideBits", side_bits);
+    p.constant("LevelBits", level_bits);
+    p.constant("LevelFrac", level_frac);
+    p.constant("LengthBits", length_bits);
+    p.constant("HoleBits", hole_bits);
+    p.constant("LogIndexBits", log_index_bits);
     p.constant("SubPixelBits", sub_pixel_bits);
     p.constant("DepthBits", depth_bits);
     p.constant("Clients", c.clients());
@@ -375,6 +387,8 @@ void derived(Package& p, const Config& c) {
     p.constant("MeshPad", node_latency(c) - node_latency(c, c.lower_engine()));
     p.constant("XformLatency", c.xform_latency());
     p.constant("TriLatency", c.tri_latency());
+    p.constant("TexAddressStages", stages.tex_address);
+    p.constant("TexFilterStages", stages.tex_filter);
     p.constant("ShadeStages", stages.pass);
     p.constant("ShadeCut", stages.pass_cut);
     p.constant("ShadeOut", stages.pass_out);
@@ -413,12 +427,22 @@ void enumerations(Package& p) {
                                {"Refract", ShadeEvent::refract},
                                {"Reflect", ShadeEvent::reflect},
                                {"Pop", ShadeEvent::pop},
-                               {"Transform", ShadeEvent::transform}});
+                               {"Transform", ShadeEvent::transform},
+                               {"Texture", ShadeEvent::texture}});
     p.enumeration<Pending>("pending_e", "Pending", 2,
                            {{"None", Pending::none}, {"Answer", Pending::answer}, {"Sure", Pending::sure}});
     using Leave = PassOut::Leave;
     p.enumeration<Leave>("leave_e", "Leave", 2,
-                         {{"Again", Leave::again}, {"Spawn", Leave::spawn}, {"Pixel", Leave::pixel}});
+                         {{"Again", Leave::again},
+                          {"Spawn", Leave::spawn},
+                          {"Pixel", Leave::pixel},
+                          {"Texture", Leave::texture}});
+    p.say("How a texture continues beyond its edges, and the formats of its texels.");
+    p.enumeration<WrapMode>(
+        "wrap_e", "Wrap", 2,
+        {{"Repeat", WrapMode::repeat}, {"Mirror", WrapMode::mirror}, {"Clamp", WrapMode::clamp}});
+    p.enumeration<TexelFormat>("texel_format_e", "Texels", 32,
+                               {{"Rgb888", TexelFormat::rgb888}, {"Rgb565", TexelFormat::rgb565}});
     p.say("What a unit did in a cycle; first a cache's outcomes.");
     p.constant("CauseBits", cause_bits);
     p.enumeration<CacheOutcome>("cache_outcome_e", "Cache", cause_bits,
@@ -451,6 +475,14 @@ std::string rc_package(const Config& config) {
     p.table("InverseRoot", inverse_root_table(), root_value_bits, root_step_bits);
     p.table("Log", log_table(), log_value_bits, log_step_bits);
     p.table("Exp", exp_table(), exp_value_bits, exp_step_bits);
+    p.say("Intensities of sRGB codes: model/unit/tex/texel.hpp.");
+    std::vector<std::string> intensities;
+    for (const std::uint32_t value : srgb_table()) intensities.push_back(fmt::format("d{}", value));
+    p.text(list_text("SrgbTable", intensities, share_bits + 1));
+    p.say("Fractions of logarithms: log_fractions() in the same file.");
+    std::vector<std::string> fractions;
+    for (const std::uint32_t value : log_fractions()) fractions.push_back(fmt::format("d{}", value));
+    p.text(list_text("LogFraction", fractions, level_frac));
     p.say("Tables of the unit globe: model/engine/spheres/tables.hpp.");
     p.table("NearInverse", near_inverse_table(), near_inverse_bits, near_inverse_step_bits);
     p.table("RootUp", root_up_table(), root_up_bits, 0);
@@ -468,6 +500,7 @@ std::string rc_package(const Config& config) {
     p.record<Pixel>("pixel");
     p.record<ShadeState>("shade_state");
     p.record<Waiting>("waiting");
+    p.record<TexelPlace>("texel_place");
     parts(p, config);
     p.say(
         "What lies in lines of memory, in their lowest bits: model/engine/*/node.hpp, model/core/lines.hpp, "
@@ -476,6 +509,7 @@ std::string rc_package(const Config& config) {
     p.record<Placement>("placement");
     p.record<PrimData>("primitive");
     p.record<Surface>("surface");
+    p.record<TexRecord>("tex_record");
     return std::move(p).end();
 }
 

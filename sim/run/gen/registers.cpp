@@ -39,7 +39,7 @@ private:
 const std::vector<HostRegister>& host_registers() {
     static const std::vector<HostRegister> all{
         {0, "Magic", "magic", Access::read, "`RCLK` in ASCII, 0x52434c4b"},
-        {1, "Version", "version", Access::read, "version of these registers: 1"},
+        {1, "Version", "version", Access::read, "version of these registers: 2"},
         {2, "Status", "status", Access::read,
          "bit 0: busy, a frame or the preparation of one is under way; bit 1: done, a frame has ended and no "
          "other was started"},

@@ -28,9 +28,9 @@ const std::vector<HostRegister>& host_registers();
 std::uint32_t register_address(const std::string& constant);
 
 constexpr std::uint32_t host_magic = 0x52434c4b;   ///< "RCLK"
-constexpr std::uint32_t host_version = 1;
-constexpr std::uint32_t parameter_base = 0x20, frame_base = 0x400, counter_base = 0x1000;
-constexpr int address_bits = 13;
+constexpr std::uint32_t host_version = 2;
+constexpr std::uint32_t parameter_base = 0x20, frame_base = 0x400, counter_base = 0x2000;
+constexpr int address_bits = 14;
 constexpr int tally_bits = 40;   ///< width of a counter, which takes two words
 /// Width of a counter's number, {group, unit, cause}. The address has one more bit, which selects the word.
 constexpr int counter_bits = std::countr_zero(counter_base) - 1;
@@ -62,8 +62,9 @@ constexpr std::uint32_t counter_address(Unit unit, int pipeline, std::size_t cau
     const bool shared = index(unit) >= pipeline_units;
     const auto group = shared ? 0 : std::uint32_t(pipeline) + 1;
     const auto number = std::uint32_t(shared ? index(unit) - pipeline_units : index(unit));
-    return counter_base | group << 8 | number << 4 | std::uint32_t(cause) << 1;
+    return counter_base | group << 9 | number << 4 | std::uint32_t(cause) << 1;
 }
+static_assert(pipeline_units <= 32, "a unit has a number of 5 bits");
 /// The chip has counters for all units except the memory, which lies outside it.
 constexpr std::size_t shared_units = unit_count - pipeline_units - 1;
 

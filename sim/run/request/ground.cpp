@@ -48,6 +48,7 @@ void lay_ground(Scene& scene) {
     }
     scene.triangles.push_back({{first, first + 1, first + 2}, material});
     scene.triangles.push_back({{first, first + 2, first + 3}, material});
+    if (!scene.coordinates.empty()) scene.coordinates.resize(scene.triangles.size());   // without a texture
     Material grey;
     grey.name = "ground";
     grey.colour = glm::dvec3{0.5};

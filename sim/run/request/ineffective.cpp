@@ -13,9 +13,9 @@ std::vector<std::string> ineffective_settings(const Config& config, const std::v
     for (const std::string& item : set) {
         const Parameter& p = parameter(std::string_view(item).substr(0, item.find('=')));
         if (p.effect->holds(config)) continue;
-        const Condition& first =
-            p.effect->first && !p.effect->first->holds(config) ? *p.effect->first : *p.effect;
-        const std::string decider = first.decider;
+        const Condition* first = p.effect;   // the condition that decides: others follow from it
+        while (first->first && !first->first->holds(config)) first = first->first;
+        const std::string decider = first->decider;
         sentences.push_back(std::string(p.key) + " has no effect with " + decider + "=" +
                             value_text(config, parameter(decider)));
     }

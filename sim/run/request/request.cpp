@@ -11,7 +11,6 @@
 #include "model/core/settled.hpp"
 #include "model/scene/folded.hpp"
 #include "sim/run/frame/frame.hpp"
-#include "sim/load/load.hpp"
 #include "sim/run/request/ground.hpp"
 #include "sim/run/memory/memory_file.hpp"
 #include "sim/run/request/ineffective.hpp"
@@ -61,6 +60,10 @@ void print_ineffective(const std::vector<std::string>& sentences) {
 
 namespace {
 
+Textures textures_of(const ViewChoice& view) {
+    return view.no_textures ? Textures::averaged : Textures::drawn;
+}
+
 /// A chip for streams draws no picture.
 void refuse_stream(const Config& config) {
     if (config.is_stream())
@@ -77,9 +80,10 @@ void apply_view(Scene& scene, FrameSize size, const ViewChoice& view) {
 
 }   // namespace
 
-Scene load_noted_scene(const std::string& spec, const Progress& progress, Primitives primitives) {
+Scene load_noted_scene(const std::string& spec, const Progress& progress, Primitives primitives,
+                       Textures textures) {
     std::vector<std::string> notes;
-    Scene scene = load_scene(spec, progress, primitives, &notes);
+    Scene scene = load_scene(spec, progress, primitives, &notes, textures);
     print_notes(notes);
     return scene;
 }
@@ -92,7 +96,8 @@ void refuse_folded(const Scene& scene) {
 }
 
 Scene ready_scene(const std::string& spec, FrameSize size, const Progress& progress, const ViewChoice& view) {
-    return ready_scene(load_noted_scene(spec, progress), size, view);
+    return ready_scene(load_noted_scene(spec, progress, Primitives::triangles, textures_of(view)), size,
+                       view);
 }
 
 Scene ready_scene(Scene scene, FrameSize size, const ViewChoice& view) {
@@ -151,7 +156,9 @@ Request request_of(const SceneSource& scene, const ConfigChoice& config, const F
 Request request_of(const std::string& scene, const ConfigChoice& config, const Finish& finish,
                    std::uint64_t seed, FrameSize size, const Progress& progress, const ViewChoice& view) {
     std::vector<std::string> idle;
-    const auto load = [&](Primitives primitives) { return load_noted_scene(scene, progress, primitives); };
+    const auto load = [&](Primitives primitives) {
+        return load_noted_scene(scene, progress, primitives, textures_of(view));
+    };
     Request r = request_of(SceneSource(load), config, finish, seed, size, view, idle);
     print_ineffective(idle);
     return r;

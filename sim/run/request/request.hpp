@@ -4,6 +4,7 @@
 
 #include "model/base/progress.hpp"
 #include "model/scene/builtin.hpp"
+#include "sim/load/load.hpp"
 #include "model/scene/camera.hpp"
 #include "model/scene/scene.hpp"
 #include "model/scene/whitted.hpp"
@@ -15,7 +16,7 @@ namespace rayclock {
 
 /// Calls load_scene(), and prints a warning on standard error for all content that is changed or not drawn.
 Scene load_noted_scene(const std::string& spec, const Progress& progress,
-                       Primitives primitives = Primitives::triangles);
+                       Primitives primitives = Primitives::triangles, Textures textures = Textures::drawn);
 
 /// Throws UserError for a folded scene: one with too many placed triangles to be written out.
 void refuse_folded(const Scene& scene);

@@ -13,6 +13,7 @@ struct ViewChoice {
     std::optional<double> fov, orbit;      ///< degrees
     bool ground = false;                   ///< lay_ground()
     std::optional<std::string> material;   ///< give_material()
+    bool no_textures = false;              ///< draw pictures on surfaces in their average colours
 
     bool is_given() const { return eye || at || fov || orbit; }
 };

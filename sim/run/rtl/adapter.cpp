@@ -80,7 +80,11 @@ std::vector<PortSpec> taps_of_chip(const Config& config) {
 }
 
 /// Returns true if the module has a reset. Arithmetic cells have none.
-bool has_reset(const std::string& module) { return module != "rc_unit" && module != "rc_power"; }
+bool has_reset(const std::string& module) {
+    return module != "rc_unit" && module != "rc_power" && module != "rc_log" && module != "rc_path_length";
+}
+/// Returns true if the module has a clock. Combinational cells have none.
+bool has_clock(const std::string& module) { return module != "rc_log"; }
 
 }   // namespace
 
@@ -145,33 +149,49 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
     }
     if (module == "rc_node_cache" || module == "rc_prim_cache" || module == "rc_l2")
         return {{"req", in}, {"rsp", out}, {"miss", out}, {"fill", listen}, {"outcome", plain}};
-    if (module == "rc_shade")
-        return {{"frame", fixed}, {"slot", listen},      {"ray", listen}, {"closest", in}, {"surf_req", out},
-                {"surf_rsp", in}, {"surf_waits", fixed}, {"spawn", out},  {"pixel", out},  {"cause", plain}};
+    if (module == "rc_shade") {
+        std::vector<PortSpec> ports{
+            {"frame", fixed}, {"slot", listen},      {"ray", listen}, {"closest", in}, {"surf_req", out},
+            {"surf_rsp", in}, {"surf_waits", fixed}, {"spawn", out},  {"pixel", out},  {"cause", plain}};
+        if (config.has_textures()) ports.push_back({"tex_req", out}), ports.push_back({"tex_rsp", listen});
+        return ports;
+    }
+    if (module == "rc_tex")
+        return {{"frame", fixed},       {"req", in},
+                {"texel_req", out},     {"texel_rsp", in},
+                {"texels_wait", fixed}, {"rsp", PortKind::fires},
+                {"cause", plain}};
+    if (module == "rc_log") return {{"x", fixed}, {"log", plain}};
+    if (module == "rc_path_length")
+        return {{"valid", fixed}, {"s1_phase", fixed}, {"s0_path", fixed},
+                {"s0_t", fixed},  {"s0_d", fixed},     {"s3_path", plain}};
     if (module == "rc_unit") return {{"valid", fixed}, {"v", fixed}, {"u", plain}};
-    if (module == "rc_pass")
-        return {{"frame", fixed},
-                {"valid", fixed},
-                {"ray", fixed},
-                {"state", fixed},
-                {"hit", fixed},
-                {"o", fixed},
-                {"d", fixed},
-                {"surface", fixed},
-                {"top", fixed},
-                {"place", fixed},
-                {"material_valid", plain},
-                {"material_ray", plain},
-                {"material", plain},
-                {"end_valid", plain},
-                {"end_ray", plain},
-                {"end_state", plain},
-                {"changes", plain},
-                {"leave", plain},
-                {"spawn", plain},
-                {"pixel", plain},
-                {"push", plain},
-                {"pushed", plain}};
+    if (module == "rc_pass") {
+        std::vector<PortSpec> ports{{"frame", fixed},
+                                    {"valid", fixed},
+                                    {"ray", fixed},
+                                    {"state", fixed},
+                                    {"hit", fixed},
+                                    {"o", fixed},
+                                    {"d", fixed},
+                                    {"surface", fixed},
+                                    {"top", fixed},
+                                    {"place", fixed},
+                                    {"material_valid", plain},
+                                    {"material_ray", plain},
+                                    {"material", plain},
+                                    {"end_valid", plain},
+                                    {"end_ray", plain},
+                                    {"end_state", plain},
+                                    {"changes", plain},
+                                    {"leave", plain},
+                                    {"spawn", plain},
+                                    {"pixel", plain},
+                                    {"push", plain},
+                                    {"pushed", plain}};
+        if (config.has_textures()) ports.push_back({"texel", fixed}), ports.push_back({"tex_req", plain});
+        return ports;
+    }
     if (module == "rc_power") return {{"valid", fixed}, {"c", fixed}, {"n", fixed}, {"power", plain}};
     throw std::logic_error("no module of the RTL that can be built alone is called " + module);
 }
@@ -179,7 +199,8 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
 std::string adapter_source(const std::string& module, const Config& config) {
     std::string ports;
     for (const PortSpec& p : ports_of(module, config)) ports += port_line(module, p);
-    return fmt::format(R"(// Generated: the library's side of sim/run/rtl/abi.hpp for {0}.
+    return fmt::format(
+        R"(// Generated: the library's side of sim/run/rtl/abi.hpp for {0}.
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -231,7 +252,7 @@ void close(void* handle) {{
 }}
 int eval(void* handle, int clock) {{
     enter(handle);
-    of(handle).top.clk_i = static_cast<unsigned char>(clock);
+    {3};
     of(handle).top.eval();
     return of(handle).context.gotError();
 }}
@@ -243,7 +264,8 @@ unsigned ports(void* handle, const RcPort** list) {{
 }}
 extern "C" const RcModule rc_module{{open, close, eval, reset, ports}};
 )",
-                       module, ports, has_reset(module) ? "&of(handle).top.rst_ni" : "&of(handle).no_reset");
+        module, ports, has_reset(module) ? "&of(handle).top.rst_ni" : "&of(handle).no_reset",
+        has_clock(module) ? "of(handle).top.clk_i = static_cast<unsigned char>(clock)" : "(void)clock");
 }
 
 std::string wave_source() {

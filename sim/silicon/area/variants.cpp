@@ -18,6 +18,7 @@ constexpr const char* further[] = {"spheres", "planes", "smooth", "refraction", 
 
 bool always(const Config&) { return true; }
 bool shades(const Config& c) { return c.has_shade(); }
+bool has_textures(const Config& c) { return c.has_textures(); }
 bool draws(const Config& c) { return !c.is_stream(); }
 bool streams(const Config& c) { return c.is_stream(); }
 bool has_l2(const Config& c) { return c.l2_sets > 0; }
@@ -65,11 +66,12 @@ const std::vector<UnitRow>& unit_rows() {
             all.push_back(
                 {unit_name(E::structure), true, [](const Config& c) { return c.is_walked(E::structure); }});
         });
-        const UnitRow rest[] = {{"none", true, lists},      {"xform", true, has_instances},
-                                {"list", true, always},     {"prim_cache", true, always},
-                                {"tri", true, always},      {"surf_cache", true, shades},
-                                {"shade", true, shades},    {"dispatch", false, always},
-                                {"arbiter", false, always}, {"l2", false, has_l2}};
+        const UnitRow rest[] = {{"none", true, lists},       {"xform", true, has_instances},
+                                {"list", true, always},      {"prim_cache", true, always},
+                                {"tri", true, always},       {"surf_cache", true, shades},
+                                {"tex", true, has_textures}, {"tex_cache", true, has_textures},
+                                {"shade", true, shades},     {"dispatch", false, always},
+                                {"arbiter", false, always},  {"l2", false, has_l2}};
         all.insert(all.end(), std::begin(rest), std::end(rest));
         return all;
     }();

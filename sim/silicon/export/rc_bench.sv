@@ -28,7 +28,7 @@ module rc_bench;
 
   // ---- The chip.
   logic                             cyc, we, ack, err;
-  logic [12:0]                      adr;
+  logic [rc_pkg::RegAddrBits-1:0]   adr;
   logic [31:0]                      dat_to_chip, dat_from_chip;
   logic                             req_valid, req_ready, rsp_fires, running, done;
   logic [rc_pkg::MemReqW-1:0]       req;
@@ -163,7 +163,8 @@ module rc_bench;
   // ---- The host.
   logic [31:0] answer;
   logic        refused;
-  task automatic access(input logic writes, input logic [12:0] address, input logic [31:0] value);
+  task automatic access(input logic writes, input logic [rc_pkg::RegAddrBits-1:0] address,
+                        input logic [31:0] value);
     int tries;
     @(negedge clk);
     cyc         = 1'b1;
@@ -188,12 +189,12 @@ module rc_bench;
 
   task automatic read_account;
     logic [31:0] low;
-    logic [12:0] address;
+    logic [rc_pkg::RegAddrBits-1:0] address;
     for (int i = 0; i < Accounts; i++) begin
-      address = account[i][52:40];
+      address = account[i][40 +: rc_pkg::RegAddrBits];
       access(1'b0, address, '0);
       low = answer;
-      access(1'b0, address + 13'd1, '0);
+      access(1'b0, address + 1'b1, '0);
       if ({answer[7:0], low} !== account[i][39:0]) begin
         $display("counter %h is %0d and should be %0d", address, {answer[7:0], low}, account[i][39:0]);
         wrong = wrong + 1;
@@ -222,9 +223,11 @@ module rc_bench;
     rst_n = 1'b1;
     repeat (32) @(negedge clk);   // the chip initialises itself for sixteen cycles
 
-    access(1'b0, 13'(rc_pkg::RegMagic), '0);
+    access(1'b0, rc_pkg::RegAddrBits'(rc_pkg::RegMagic), '0);
     check(answer === rc_pkg::Magic, "the register magic does not say RCLK");
-    for (int i = 0; i < Settings; i++) access(1'b1, settings[i][44:32], settings[i][31:0]);
+    for (int i = 0; i < Settings; i++) begin
+      access(1'b1, settings[i][32 +: rc_pkg::RegAddrBits], settings[i][31:0]);
+    end
     while (done !== 1'b1 && cycles < MostCycles && wrong < 100) @(negedge clk);
     check(done === 1'b1, "the frame does not end");
     repeat (4) @(negedge clk);

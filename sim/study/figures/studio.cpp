@@ -32,7 +32,8 @@ Shot Stage::take(Engine engine, const Whitted& settings) {
             reference_.whitted(*scene_.camera, job_.size, settings, studio_.threads, studio_.progress);
         return {picture_from_reference(frame), frame.rays, {}};
     }
-    job_.frame.shade = make_shade_frame(scene_, settings, job_.image, job_.config);
+    job_.frame.shade =
+        make_shade_frame(scene_, settings, job_.image, std::uint32_t(job_.size.height), job_.config);
     Shot shot;
     if (engine == Engine::rtl) {
         shot.run = run_rtl(job_, {}, studio_.progress);

@@ -125,6 +125,9 @@ std::string cause_sentence(const ColourFinding& c) {
         case PixelCause::shading:
             return "all rays met what they must; the chip's colour arithmetic rounds, within its proven "
                    "bounds (shading)";
+        case PixelCause::texture:
+            return "all rays met what they must; a texture's coordinates, level or texels are rounded "
+                   "(texture)";
         case PixelCause::horizon:
             return "a ray from a point of a plane beyond the lattice meets another plane there, and the chip "
                    "does not look for it (horizon)";

@@ -17,9 +17,13 @@ constexpr std::size_t memory_place = pipeline_units;
 constexpr std::size_t ray_places = pipeline_units + 1;
 const char* place_name(std::size_t place);
 
-/// The caches that serve rays: node_cache, prim_cache, and surf_cache or, on a chip for streams, stream.
-constexpr std::size_t ray_caches = 3;
-constexpr std::array<Unit, ray_caches> cache_units{Unit::node_cache, Unit::prim_cache, Unit::surf_cache};
+/// The caches that serve rays: node_cache, prim_cache, surf_cache or, on a chip for streams, stream, and
+/// tex_cache.
+constexpr std::size_t ray_caches = 4;
+constexpr std::array<Unit, ray_caches> cache_units{Unit::node_cache, Unit::prim_cache, Unit::surf_cache,
+                                                   Unit::tex_cache};
+/// Returns how many of them a chip has.
+inline std::size_t ray_caches_of(const Config& c) { return c.has_textures() ? 4 : c.shading ? 3 : 2; }
 
 /// The costs of one pixel, or of one ray of a stream. The counts of all pixels sum to those of the frame.
 struct PixelCost {

@@ -59,6 +59,9 @@ constexpr std::size_t place_after(Link link, bool streams) {
         case Link::prim_req: return index(Unit::prim_cache);
         case Link::tri_req: return index(Unit::tri);
         case Link::surf_req: return index(Unit::surf_cache);
+        case Link::tex_req:
+        case Link::texel_rsp: return index(Unit::tex);
+        case Link::texel_req: return index(Unit::tex_cache);
         default: return index(Unit::shade);
     }
 }

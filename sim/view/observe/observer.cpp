@@ -9,7 +9,11 @@ namespace {
 
 /// Returns the link of the requests to a cache.
 constexpr Link request_link(std::size_t cache, bool streams) {
-    return cache == 0 ? Link::node_req : cache == 1 ? Link::prim_req : streams ? Link::slot : Link::surf_req;
+    return cache == 0   ? Link::node_req
+           : cache == 1 ? Link::prim_req
+           : cache == 3 ? Link::texel_req
+           : streams    ? Link::slot
+                        : Link::surf_req;
 }
 constexpr int cache_of(Link request, bool streams) {
     for (std::size_t cache = 0; cache < ray_caches; ++cache)
@@ -32,13 +36,14 @@ Observer::Observer(const Machine& machine, const Frame& frame, EventSink* sink, 
       window_(window),
       tile_bits_(machine.config().tile_bits),
       has_l2_(machine.config().l2_sets > 0),
-      shading_(machine.config().shading),
+      caches_(ray_caches_of(machine.config())),
       lists_(machine.config().is_list()),
       streams_(machine.config().is_stream()),
       records_(frame.first_ray_line),
       line_words_{
           node_cache_shape(machine.config()).words, prim_cache_shape(machine.config()).words,
-          (streams_ ? stream_cache_shape(machine.config()) : surf_cache_shape(machine.config())).words},
+          (streams_ ? stream_cache_shape(machine.config()) : surf_cache_shape(machine.config())).words,
+          tex_cache_shape(machine.config()).words},
       pipelines_(std::size_t(machine.config().pipelines)),
       tile_columns_(streams_ ? 1u << machine.config().tile_coord_bits()
                              : (frame.width + (1u << tile_bits_) - 1) >> tile_bits_),
@@ -58,7 +63,7 @@ void Observer::step(Machine& machine) {
     machine.step([this](const Move& move) { moved(move); });
     for (std::size_t p = 0; p < pipelines_.size(); ++p) {
         PipelineState& state = pipelines_[p];
-        for (std::size_t c = 0; c < ray_caches - !shading_; ++c) {
+        for (std::size_t c = 0; c < caches_; ++c) {
             const CacheOutcome outcome = machine.outcome(int(p), cache_units[c]);
             if (outcome <= CacheOutcome::merge) looked_up(int(p), c, outcome);
             ++state.waits.outcomes[c][std::size_t(outcome)];
@@ -136,10 +141,12 @@ void Observer::moved(const Move& m) {
         case Link::prim_miss: return asked_memory(p, 1);
         case Link::surf_miss:
         case Link::stream_miss: return asked_memory(p, 2);
+        case Link::tex_miss: return asked_memory(p, 3);
         case Link::node_fill:
         case Link::prim_fill:
         case Link::surf_fill:
         case Link::stream_fill:
+        case Link::tex_fill:
         case Link::l2_rsp:
         case Link::mem_rsp: return;
         case Link::l2_req: l2_requests_.push_back(owner_); return;

@@ -64,7 +64,9 @@ private:
     std::uint64_t now_ = 0;
     std::uint64_t window_;
     int tile_bits_;
-    bool has_l2_, shading_, lists_, streams_;
+    bool has_l2_;
+    std::size_t caches_;   ///< that serve rays
+    bool lists_, streams_;
     std::uint32_t records_;   ///< line of the stream's first two rays
     std::array<int, ray_caches> line_words_;
     std::vector<PipelineState> pipelines_;

@@ -11,7 +11,7 @@ namespace rayclock {
 namespace {
 
 std::size_t cache_index(Link request) {
-    return request == Link::node_req ? 0 : request == Link::prim_req ? 1 : 2;
+    return request == Link::node_req ? 0 : request == Link::prim_req ? 1 : request == Link::texel_req ? 3 : 2;
 }
 
 /// The events of one stay: begin, optional look-up of a cache, end.

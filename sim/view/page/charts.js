@@ -92,7 +92,7 @@ function rooflineSpec() {
 }
 
 const unitColours = { raygen: "#9ad0f5", trav: "#0072b2", node_cache: "#4a9fd6", ...forNodeUnits("#009e73"), list: "#e3a8c6",
-  prim_cache: "#b3538a", tri: "#e69f00", surf_cache: "#a8902a", shade: "#f0e442", memory: "#d55e00" };
+  prim_cache: "#b3538a", tri: "#e69f00", surf_cache: "#a8902a", shade: "#f0e442", tex: "#56b4e9", tex_cache: "#8a8ad6", memory: "#d55e00" };
 function kindsSpec() {
   const rows = [];
   for (const [kind, k] of Object.entries(data.kinds)) {

@@ -43,7 +43,7 @@ ordered_json map_json(const PixelMap& map, const FrameCosts& costs) {
 ordered_json causes_map(const Judgement& judgement) {
     std::string codes;
     for (std::size_t i = 0; i < judgement.pixels.size(); ++i)
-        codes += char(int(judgement.pixels[i]) | (judgement.other[i] ? 8 : 0));
+        codes += char(int(judgement.pixels[i]) | (judgement.other[i] ? 16 : 0));
     ordered_json names = ordered_json::array();
     for (std::size_t c = 0; c <= pixel_causes; ++c) names.push_back(cause_info(PixelCause(c)).key);
     return {{"names", names}, {"data", html::base64(html::deflated(codes))}};

@@ -73,9 +73,9 @@ function showPixel(x, y) {
     });
     return row;
   }));
-  const code = causes ? causes[at] : 7, cause = causes ? data.causes.names[code & 7] : "";
+  const code = causes ? causes[at] : 0, cause = causes ? data.causes.names[code & 15] : "";
   byId("why").textContent = !causes ? "" : cause === "none" ? "It does not differ from the reference." :
-    `It differs from the reference: ${cause}${code & 8 ? "; it holds another primitive" : ""}.`;
+    `It differs from the reference: ${cause}${code & 16 ? "; it holds another primitive" : ""}.`;
   byId("explain").textContent = data.explain.replace("PIXEL", `${x},${y}`);
 }
 
@@ -147,7 +147,7 @@ const files = {
   "report.json": () => JSON.stringify(report, null, 2) + "\n",
   "pixels.csv": () => csv([["x", "y", ...data.maps.map(map => map.name.replaceAll(" ", "_")), "cause"],
     ...Array.from({ length: data.width * data.height }, (_, i) => [i % data.width, Math.floor(i / data.width),
-      ...data.maps.map(map => map.values[i]), causes ? data.causes.names[causes[i] & 7] : ""])]),
+      ...data.maps.map(map => map.values[i]), causes ? data.causes.names[causes[i] & 15] : ""])]),
   "units.csv": () => csv([["unit", "instances", "count", "kind", "cause", "cycles"],
     ...accountRows().map(r => [r.unit, clock().units[r.unit].instances, clock().units[r.unit].count, r.kind, r.cause, r.cycles])]),
   "windows.csv": () => csv([["first", "cycles", "rays_under_way", "reads", "row_hits", "gb_per_s"],

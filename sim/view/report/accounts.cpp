@@ -35,6 +35,7 @@ std::uint64_t count_of(const Config& config, Unit unit, const FrameResult& run) 
         case Unit::node_cache:
         case Unit::prim_cache:
         case Unit::surf_cache:
+        case Unit::tex_cache:
         case Unit::stream:
         case Unit::l2: return cache_account(run, unit).accesses;
         default: return run.accounts.units[index(unit)][0] / std::uint64_t(interval_of(config, unit));

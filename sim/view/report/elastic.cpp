@@ -26,7 +26,8 @@ std::string account_text(const UnitAccount& unit) {
                        percent(unit.stalled, all));
 }
 
-constexpr Unit caches[] = {Unit::node_cache, Unit::prim_cache, Unit::surf_cache, Unit::stream, Unit::l2};
+constexpr Unit caches[] = {Unit::node_cache, Unit::prim_cache, Unit::surf_cache,
+                           Unit::tex_cache,  Unit::stream,     Unit::l2};
 
 }   // namespace
 

@@ -146,6 +146,7 @@ ordered_json memory_json(const Config& config, int khz, const FrameResult& run) 
     add("node_cache", Unit::node_cache);
     add("prim_cache", Unit::prim_cache);
     if (config.has_shade()) add("surf_cache", Unit::surf_cache);
+    if (config.has_textures()) add("tex_cache", Unit::tex_cache);
     if (config.is_stream()) add("stream", Unit::stream);
     if (config.l2_sets > 0) add("l2", Unit::l2);
     const DramPart* part = config.dram_part();

@@ -104,6 +104,7 @@ std::vector<SampledFigure> sampled_figures(const Config& config, int khz) {
     if (!config.is_list()) figures.add_hit_rate("node_hit_rate", Unit::node_cache);
     figures.add_hit_rate("prim_hit_rate", Unit::prim_cache);
     if (config.has_shade()) figures.add_hit_rate("surf_hit_rate", Unit::surf_cache);
+    if (config.has_textures()) figures.add_hit_rate("tex_hit_rate", Unit::tex_cache);
     if (config.l2_sets > 0) figures.add_hit_rate("l2_hit_rate", Unit::l2);
     for (std::size_t u = 0; u < unit_count; ++u)
         if (is_there(Unit(u), config)) figures.add_account(Unit(u));

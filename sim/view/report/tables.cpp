@@ -140,7 +140,8 @@ std::string cause_lines(const Judgement& j) {
         std::string text;
         for (std::size_t k = 0; k < pixel_causes; ++k) {
             const bool is_rare = PixelCause(k) == PixelCause::primitive_test ||
-                                 PixelCause(k) == PixelCause::seam || PixelCause(k) == PixelCause::horizon;
+                                 PixelCause(k) == PixelCause::seam || PixelCause(k) == PixelCause::texture ||
+                                 PixelCause(k) == PixelCause::horizon;
             if (is_rare && causes[k] == 0) continue;
             std::string name = cause_info(PixelCause(k)).key;
             std::replace(name.begin(), name.end(), '_', ' ');

@@ -6,6 +6,7 @@
 #include "model/scene/view.hpp"
 #include "sim/load/import/assimp.hpp"
 #include "sim/load/lights.hpp"
+#include "sim/load/textures.hpp"
 #include "sim/explore/sweep/key.hpp"
 #include "tests/fuzz/program/targets.hpp"
 
@@ -13,6 +14,8 @@ namespace rayclock {
 
 /// Pictures are not decoded, because load_scene() is not fuzzed.
 glm::vec4 average_colour(const std::string&) { throw std::runtime_error("pictures are not read here"); }
+
+TexelLevel decoded_picture(const std::string&) { throw std::runtime_error("pictures are not read here"); }
 
 /// No other program is started.
 bool assimp_reads(const std::string&) { return false; }
@@ -37,10 +40,17 @@ struct Answer {
 Answer answer_of(const std::function<Scene(Loading&)>& read) {
     static const Progress silent;
     static const bool is_large = std::getenv("RC_FUZZ_LARGE") != nullptr;
-    Loading loading(silent, is_large ? Allowance{} : small_allowance);
+    // Every file is the same picture, so that coordinates count.
+    const auto picture = [](const std::string&) {
+        return TexelLevel{2, 1, {{0, 0, 0, 255}, {255, 255, 255, 255}}};
+    };
+    Loading loading(silent, is_large ? Allowance{} : small_allowance, {}, picture);
     Answer answer;
     try {
-        answer.scene = read(loading);
+        PlacedScene placed;
+        placed.own = read(loading);
+        settle_textures(placed, "the scene", loading);
+        answer.scene = std::move(placed.own);
     } catch (const UserError& error) {
         answer.refusal = error.what();
         check_sentence(answer.refusal);

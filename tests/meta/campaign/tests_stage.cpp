@@ -42,6 +42,7 @@ constexpr Fitting fitting[] = {
     {"rtl/unit/shade/rc_shade", "shade"},
     {"rtl/unit/shade/rc_contexts", "shade"},
     {"rtl/unit/shade/", "pass"},
+    {"rtl/unit/tex/", "tex"},
     {"rtl/unit/trav/rc_ray_t_max", "trav"},
     {"rtl/cells/rc_delay_ram", "pass"},
     {"rtl/cells/", "list"},
@@ -70,6 +71,7 @@ constexpr Fitting fitting[] = {
     {"model/unit/shade/power", "power"},
     {"model/unit/shade/square", "square_root"},
     {"model/unit/shade/", "pass"},
+    {"model/unit/tex/", "tex"},
 };
 
 std::string tag_of(const std::string& file) {

@@ -1,6 +1,7 @@
 #pragma once
 // Configurations of shading chips, and random passes of the unit shade with every event and every kind of
 // surface.
+#include "model/scene/whitted.hpp"
 #include "model/unit/shade/bounce.hpp"
 #include "model/engine/check.hpp"
 #include "model/unit/shade/pass.hpp"
@@ -12,7 +13,7 @@ namespace rayclock::test {
 /// Returns a format by name. "all" has every unit of default, "plain" only shading, "mirror" all but
 /// refraction. "narrow" and "broad" are at the ends of the lattice. "short" has directions shorter than a
 /// unit vector's components. Prefixes: "everyK:..." makes a pass every K cycles, "fast:..." has the paths of
-/// a fast chip, "levels:..." has instances.
+/// a fast chip, "levels:..." has instances, "textured:..." has textures.
 inline Config shaded_format(const std::string& name) {
     if (const std::size_t colon = name.find(':'); colon != std::string::npos) {
         Config c = shaded_format(name.substr(colon + 1));
@@ -21,6 +22,8 @@ inline Config shaded_format(const std::string& name) {
             c.timing = Timing::fast, c.raygen_queue = c.box_queue = 32, c.tri_queue = 64;
         else if (name.starts_with("levels:"))
             c.levels = 2;
+        else if (name.starts_with("textured:"))
+            c.textures = 1;
         else
             c.shade_interval = std::stoi(name.substr(5));
         check_config(c, name);
@@ -123,6 +126,8 @@ inline Surface random_surface(Draw& draw, const Config& c) {
     for (auto* x : {&s.mirror, &s.transmit, &s.r0}) *x = share_up_to(draw, unit_bits);
     s.shine = std::uint32_t(draw.natural(shine_bits));
     s.enter = std::uint32_t(draw.natural(ratio_bits)), s.leave = std::uint32_t(draw.natural(ratio_bits));
+    if (c.has_textures() && s.kind == 0 && draw.coin())
+        s.record = std::uint32_t(std::max<std::uint64_t>(draw.natural(c.addr_bits), 1));
     return s;
 }
 
@@ -163,6 +168,18 @@ inline void aim_far(Draw& draw, const Frame& frame, const Config& c, ShadeState&
 inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) {
     ShadeState s;
     s.next_event = std::uint32_t(draw.below(c.has_homes() ? 6 : 5));
+    if (c.has_textures()) {
+        if (draw.percent(15)) s.next_event = std::uint32_t(ShadeEvent::texture);
+        s.path = std::uint32_t(draw.natural(draw.between(1, c.t_bits())));
+        s.ambient = share_up_to(draw, share_bits);
+        s.record = draw.coin() ? 0 : std::uint32_t(draw.natural(c.addr_bits));
+        s.holes = std::uint32_t(draw.coin()        ? 0
+                                : draw.percent(40) ? most_holes
+                                : draw.percent(40) ? most_holes - 1
+                                                   : int(draw.natural(hole_bits)));
+    }
+    // Only triangles have textures, and their points lie in the lattice.
+    const bool is_textured = s.next_event == std::uint32_t(ShadeEvent::texture);
     if (s.next_event == std::uint32_t(ShadeEvent::light) && frame.shade.lights == 0) s.next_event = 0;
     if (s.next_event == std::uint32_t(ShadeEvent::refract) && !c.refraction)
         s.next_event = std::uint32_t(ShadeEvent::reflect);
@@ -186,7 +203,7 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
     s.weight = share_up_to(draw, unit_bits);
     s.depth = std::uint32_t(draw.below(15));
     for (std::size_t k = 0; const std::int32_t x : draw_place(draw, c)) s.o[k++] = x;
-    s.far = c.planes && draw.percent(30), s.lost = s.far && draw.percent(20);
+    s.far = c.planes && !is_textured && draw.percent(30), s.lost = s.far && draw.percent(20);
     if (s.far)
         for (auto& x : s.o) x = draw.number(draw.between(c.origin_width(), c.point_width() - 1));
     for (auto& x : s.n) x = draw.percent(5) ? 0 : draw.number(c.normal_bits() - 1);
@@ -201,7 +218,8 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
     s.ratio = std::uint32_t(draw.percent(70) ? draw.between(2000, 8000) : int(draw.natural(ratio_bits)));
     s.schlick = draw.coin();
     s.cell = random_cell(draw, c), s.across = random_cell(draw, c);
-    s.light = frame.shade.lights > 0 ? std::uint32_t(draw.below(int(frame.shade.lights))) : 0;
+    const bool has_light = frame.shade.lights > 0 && !is_textured;   // before its lights, the number is 0
+    s.light = has_light ? std::uint32_t(draw.below(int(frame.shade.lights))) : 0;
     s.total = c.refraction && draw.coin();
     if (s.far && draw.percent(70)) aim_far(draw, frame, c, s);
     if (c.has_homes()) {
@@ -229,14 +247,20 @@ inline PassIn random_pass(Draw& draw, const Frame& frame, const Config& c) {
     in.hit.ray = in.ray;
     in.o = draw_place(draw, c);
     in.d = draw.vector(c.dir_bits);
+    // With two levels raygen adds one to a component of -2^(M-1) (docs/machine/motion.md).
+    if (c.has_homes())
+        for (auto& x : in.d) x = std::max(x, 1 - (1 << (c.dir_bits - 1)));
     if (c.refraction) {
         in.top.o = draw_place(draw, c), in.top.d = draw.vector(c.dir_bits);
         in.top.weight = share_up_to(draw, unit_bits), in.top.depth = std::uint32_t(draw.below(16));
         in.top.self = std::uint32_t(draw.natural(c.prim_bits)), in.top.inside = draw.coin();
         in.top.cell = random_cell(draw, c), in.top.partial = c.horizon && draw.coin();
+        if (c.has_textures()) in.top.path = std::uint32_t(draw.natural(c.t_bits()));
     }
+    if (c.has_textures()) in.texel = shares_up_to(draw, share_bits), in.hole = draw.coin();
     if (c.has_homes()) {
         in.placement = pass_placement(draw, c, in.state);
+        if (c.has_textures()) in.placement.texel_scale = std::int32_t(draw.number(level_bits));
         if (c.refraction)
             in.top.home = {std::uint32_t(draw.natural(c.addr_bits)), draw_place(draw, c),
                            draw.vector(c.dir_bits)};

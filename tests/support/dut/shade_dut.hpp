@@ -15,6 +15,8 @@ struct ShadeLinks {
     Wire<SurfReq> surf_req;
     Wire<SurfRsp> surf_rsp;
     bool surf_waits = false;
+    Wire<TexReq> tex_req;   // of a chip with textures
+    std::optional<TexRsp> tex_rsp;
     Wire<Spawn> spawn;
     Wire<Pixel> pixel;
     std::uint32_t cause = 0;
@@ -27,10 +29,11 @@ public:
         : config_(config), frame_(frame), shade_(config), contexts_(std::size_t(config.contexts)) {}
     void eval() {
         closest.ready = true;
-        surf_req.offer.reset(), spawn.offer.reset(), pixel.offer.reset();
+        surf_req.offer.reset(), tex_req.offer.reset(), spawn.offer.reset(), pixel.offer.reset();
         if (shade_.surf_valid())
             surf_req.offer = SurfReq{shade_.surf_ray(), frame_.shade.first_surface_line +
                                                             contexts_[shade_.surf_ray()].in.hit.prim};
+        if (shade_.texture_valid()) tex_req.offer = contexts_[shade_.texture_ray()].out.tex;
         if (shade_.spawn_valid()) spawn.offer = contexts_[shade_.spawn_ray()].out.spawn;
         if (shade_.pixel_valid()) pixel.offer = contexts_[shade_.pixel_ray()].out.pixel;
         surf_rsp.ready = shade_.ready();
@@ -44,9 +47,20 @@ public:
             wants = in.hit.found && in.state.next_event == std::uint32_t(ShadeEvent::arrive);
         }
         if (surf_rsp.fires()) contexts_[surf_rsp.offer->ray].in.surface = surf_rsp.offer->surface;
-        shade_.clock(now_++, ray_of(closest.offer), wants ? Shade::Wants::surface : Shade::Wants::nothing,
-                     ray_of(surf_rsp), {}, surf_req.fires(), spawn.fires(), pixel.fires(),
-                     [this](std::uint32_t ray) { return contexts_[ray].pass(frame_, config_); });
+        if (tex_rsp) {
+            PassIn& in = contexts_[tex_rsp->ray].in;
+            in.texel = tex_rsp->colour, in.hole = tex_rsp->hole;
+        }
+        const auto clock = [&]<bool textures>() {
+            shade_.clock<false, textures>(
+                now_++, ray_of(closest.offer), wants ? Shade::Wants::surface : Shade::Wants::nothing,
+                ray_of(surf_rsp), {}, surf_req.fires(), spawn.fires(), pixel.fires(), ray_of(tex_rsp),
+                tex_req.fires(), [this](std::uint32_t ray) { return contexts_[ray].pass(frame_, config_); });
+        };
+        if (config_.has_textures())
+            clock.operator()<true>();
+        else
+            clock.operator()<false>();
         if (slot) {
             contexts_[slot->ray] = {};
             contexts_[slot->ray].in.ray = slot->ray;
@@ -79,7 +93,8 @@ private:
 
 class ShadeRtl : public ShadeLinks {
 public:
-    ShadeRtl(const Config& config, const Frame& frame, int seed = 1) : links_(config, "rc_shade", seed) {
+    ShadeRtl(const Config& config, const Frame& frame, int seed = 1)
+        : has_textures_(config.has_textures()), links_(config, "rc_shade", seed) {
         links_.fix("frame", frame);
         drive();
         links_.reset();
@@ -90,6 +105,7 @@ public:
         links_.read_in("closest", closest);
         links_.read_in("surf_rsp", surf_rsp);
         links_.read_out("surf_req", surf_req);
+        if (has_textures_) links_.read_out("tex_req", tex_req);
         links_.read_out("spawn", spawn);
         links_.read_out("pixel", pixel);
         cause = links_.plain("cause");
@@ -104,15 +120,20 @@ private:
         links_.drive_in("surf_rsp", surf_rsp);
         links_.drive_plain("surf_waits", surf_waits);
         links_.drive_out("surf_req", surf_req);
+        if (has_textures_) {
+            links_.drive_out("tex_req", tex_req);
+            links_.drive_listen("tex_rsp", tex_rsp);
+        }
         links_.drive_out("spawn", spawn);
         links_.drive_out("pixel", pixel);
     }
+    bool has_textures_;
     RtlLinks links_;
 };
 
 /// The environment of shade: contexts receive pixels, rays are sent and answered, and surfaces come from
-/// memory in the order of the requests. Everything is random; `idle` and `stall` percent of the cycles are
-/// without.
+/// memory in the order of the requests. Colours of textures come in any order. Everything is random; `idle`
+/// and `stall` percent of the cycles are without.
 class ShadeWorld {
 public:
     ShadeWorld(const Config& config, const Frame& frame, int idle, int stall, unsigned seed)
@@ -125,7 +146,7 @@ public:
           surfaces_(free_.size()) {
         for (std::size_t i = 0; i < free_.size(); ++i) free_[i] = std::uint32_t(i);
     }
-    int pixels = 0, shadows = 0, bounces = 0, samples = 0, closed = 0;
+    int pixels = 0, shadows = 0, bounces = 0, samples = 0, closed = 0, textures = 0;
 
     /// Drives the inputs of this cycle.
     void offer(ShadeLinks& in) {
@@ -154,6 +175,12 @@ public:
         }
         in.surf_rsp.offer = surface_;
         in.surf_waits = draw_.coin();
+        in.tex_rsp.reset(), in.tex_req.ready = false;
+        if (config_.has_textures()) {
+            in.tex_req.ready = !draw_.percent(stall_);
+            if (!textured_.empty() && !draw_.percent(idle_))
+                in.tex_rsp = TexRsp{take(textured_), draw_.coin(), shares_up_to(draw_, share_bits)};
+        }
         in.surf_req.ready = !draw_.percent(stall_), in.spawn.ready = !draw_.percent(stall_),
         in.pixel.ready = !draw_.percent(stall_);
     }
@@ -161,6 +188,7 @@ public:
     void take_over(const ShadeLinks& out) {
         if (out.surf_rsp.fires()) surface_.reset();
         if (out.surf_req.fires()) requested_.push_back(out.surf_req.offer->ray);
+        if (out.tex_req.fires()) textured_.push_back(out.tex_req.offer->ray), ++textures;
         if (out.pixel.fires()) free_.push_back(out.pixel.offer->first.ray), ++pixels;
         closed += out.cause == 3;
         if (!out.spawn.fires()) return;
@@ -199,6 +227,7 @@ private:
     std::vector<std::uint32_t> flying_;
     std::vector<Ray> made_;
     std::deque<std::uint32_t> requested_;
+    std::vector<std::uint32_t> textured_;   // rays whose texture's colour will come
     std::optional<SurfRsp> surface_;
 };
 

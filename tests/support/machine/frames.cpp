@@ -79,6 +79,7 @@ std::uint64_t totally_reflected(const Trace& trace) {
             while (!(*word & Trace::end_flag)) word = after_visit(word);
             word = after_visit(word);
             while (*word & Trace::place_flag) ++word;
+            if (*word & Trace::record_flag) word += 2;
             done = *word & Trace::pixel_flag;
             word += 2;
             ++rays;
@@ -124,12 +125,18 @@ void check_accounts(const FrameResult& run, const Config& config, const Trace& t
     CHECK(code(Unit::node_cache, 0) + code(Unit::node_cache, 1) + code(Unit::node_cache, 2) == nodes);
     CHECK(code(Unit::prim_cache, 0) + code(Unit::prim_cache, 1) + code(Unit::prim_cache, 2) ==
           run.triangle_tests);
-    for (const Unit cache : {Unit::node_cache, Unit::prim_cache, Unit::surf_cache, Unit::stream})
+    for (const Unit cache :
+         {Unit::node_cache, Unit::prim_cache, Unit::surf_cache, Unit::stream, Unit::tex_cache})
         CHECK(code(cache, 3) == code(cache, 1) + code(cache, 2));
     const std::uint64_t words = code(Unit::node_cache, 1) * std::uint64_t(config.node_line / line_bytes) +
                                 code(Unit::prim_cache, 1) * std::uint64_t(config.prim_line / line_bytes) +
                                 code(Unit::surf_cache, 1) * std::uint64_t(config.surf_line / line_bytes) +
-                                code(Unit::stream, 1) * std::uint64_t(config.stream_line / line_bytes);
+                                code(Unit::stream, 1) * std::uint64_t(config.stream_line / line_bytes) +
+                                code(Unit::tex_cache, 1) * std::uint64_t(config.tex_line / line_bytes);
+    // A textured hit reads two lines: its record and its texels.
+    CHECK(code(Unit::tex_cache, 0) + code(Unit::tex_cache, 1) + code(Unit::tex_cache, 2) ==
+          code(Unit::tex, 0));
+    CHECK(code(Unit::tex, 0) % 2 == 0);
     CHECK(code(Unit::memport, 0) == words);
     if (config.l2_sets > 0) CHECK(code(Unit::l2, 0) + code(Unit::l2, 1) + code(Unit::l2, 2) == words);
     const std::uint64_t requested =

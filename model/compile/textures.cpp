@@ -1,0 +1,147 @@
+// Lays out texels, and rounds corner coordinates and densities.
+#include "model/compile/textures.hpp"
+
+#include <bit>
+#include <cmath>
+#include <optional>
+
+#include <glm/matrix.hpp>
+#include <tbb/parallel_for.h>
+
+#include "model/compile/emit.hpp"
+#include "model/layout/words.hpp"
+
+namespace rayclock {
+
+namespace {
+
+WrapMode mode_of(Wrap wrap) {
+    return wrap == Wrap::repeat   ? WrapMode::repeat
+           : wrap == Wrap::mirror ? WrapMode::mirror
+                                  : WrapMode::clamp;
+}
+
+/// Returns a logarithm with level_frac fraction bits, within the range of level_bits.
+std::int32_t level_number(double log) {
+    constexpr double most = (1 << (level_bits - 1)) - 1;
+    const double scaled = std::ldexp(log, level_frac);
+    return std::int32_t(std::round(scaled > -most ? std::min(scaled, most) : -most));
+}
+
+/// Returns the number of the texel at `i` in a side, where i is at most one texel beyond the end. Tiles that
+/// are larger than the picture have more, which no filter reads.
+int wrapped_texel(int i, int side, Wrap wrap) {
+    return wrap == Wrap::repeat ? i % side : std::min(i, side - 1);
+}
+
+/// Fills the lines of one level.
+void write_level(const TexelLevel& level, const Texture& texture, TexelFormat format, std::uint32_t* words) {
+    const TileShape tile = tile_shape(format);
+    const int columns = std::max(level.width >> tile.log_width, 1),
+              rows = std::max(level.height >> tile.log_height, 1);
+    tbb::parallel_for(0, rows, [&](int row) {
+        for (int column = 0; column < columns; ++column) {
+            Line line{};
+            for (int y = 0; y <= 1 << tile.log_height; ++y)
+                for (int x = 0; x <= 1 << tile.log_width; ++x) {
+                    const int from_x =
+                                  wrapped_texel((column << tile.log_width) + x, level.width, texture.wrap_s),
+                              from_y =
+                                  wrapped_texel((row << tile.log_height) + y, level.height, texture.wrap_t);
+                    put_texel(
+                        line, std::uint32_t(x), std::uint32_t(y),
+                        level.texels[std::size_t(from_y) * std::size_t(level.width) + std::size_t(from_x)],
+                        format);
+                }
+            std::ranges::copy(line, words + std::size_t(row * columns + column) * words_per_line);
+        }
+    });
+}
+
+/// Sets what all records of a texture have in common.
+TexRecord common_record(const Texture& texture, std::uint32_t base) {
+    const std::vector<TexelLevel>& levels = texture.pyramid->levels;
+    TexRecord record;
+    record.base = base;
+    record.log_width = std::uint32_t(std::bit_width(unsigned(levels[0].width))) - 1;
+    record.log_height = std::uint32_t(std::bit_width(unsigned(levels[0].height))) - 1;
+    record.wrap_s = std::uint32_t(mode_of(texture.wrap_s)),
+    record.wrap_t = std::uint32_t(mode_of(texture.wrap_t));
+    record.nearest = texture.nearest;
+    record.last_level = texture.mipmaps ? std::uint32_t(levels.size()) - 1 : 0;
+    return record;
+}
+
+std::optional<std::uint32_t> texture_of(const Scene& scene, const Triangle& triangle) {
+    return scene.materials[triangle.material].texture;
+}
+
+}   // namespace
+
+TexRecord record_of(const Scene& scene, const Lattice& lattice, const Config& config, std::uint32_t triangle,
+                    std::uint32_t base) {
+    const Texture& texture = scene.textures[*texture_of(scene, scene.triangles[triangle])];
+    TexRecord record = common_record(texture, base);
+    const CornerCoordinates& corners = scene.coordinates[triangle];
+    for (std::size_t k = 0; k < 3; ++k) {
+        record.s[k] = std::int32_t(std::lround(std::ldexp(corners[k].x, coordinate_frac)));
+        record.t[k] = std::int32_t(std::lround(std::ldexp(corners[k].y, coordinate_frac)));
+    }
+    if (const double cutoff = scene.materials[scene.triangles[triangle].material].cutoff; cutoff > 0)
+        record.cutoff = std::uint32_t(std::clamp(std::round(cutoff * 255), 1.0, 255.0));
+    record.density =
+        level_number(texture_detail(scene, triangle) + std::log2(lattice.pitch.x) - config.t_frac_bits);
+    return record;
+}
+
+std::int32_t texel_scale_of(const std::array<std::int32_t, 9>& a, const Config& config) {
+    glm::dmat3 map;
+    for (int i = 0; i < 9; ++i) map[i % 3][i / 3] = std::ldexp(double(a[std::size_t(i)]), -config.map_frac());
+    return level_number(std::log2(std::abs(glm::determinant(map))) / 3);
+}
+
+std::vector<std::uint32_t> write_textures(const Scene& scene, const Lattice& lattice, const Config& config,
+                                          const std::string& name, TextureLines& known, MemoryImage& image) {
+    if (!config.has_textures() || scene.coordinates.empty()) return {};
+    std::vector<std::uint32_t> base_of(scene.textures.size()), records(scene.triangles.size());
+    std::uint32_t count = 0;
+    for (const Triangle& triangle : scene.triangles) {
+        const std::optional<std::uint32_t> number = texture_of(scene, triangle);
+        count += number.has_value();
+        if (!number || base_of[*number] != 0) continue;
+        const Texture& texture = scene.textures[*number];
+        const std::uint64_t first = image.lines();
+        const auto [base, is_new] =
+            known.try_emplace({texture.pyramid.get(), texture.wrap_s, texture.wrap_t}, std::uint32_t(first));
+        base_of[*number] = base->second;
+        if (!is_new) continue;
+        TexRecord record = common_record(texture, 0);
+        record.last_level = std::uint32_t(texture.pyramid->levels.size()) - 1;
+        check_lines(first + texture_lines(record, config.texels), config, name);
+        image.words.resize((first + texture_lines(record, config.texels)) * words_per_line, 0);
+        for (std::uint32_t l = 0; l <= record.last_level; ++l)
+            write_level(texture.pyramid->levels[l], texture, config.texels,
+                        &image.words[(first + level_offset(record, l, config.texels)) * words_per_line]);
+    }
+    const std::uint64_t first = image.lines();
+    check_lines(first + count, config, name);
+    image.words.resize((first + count) * words_per_line, 0);
+    std::uint32_t next = std::uint32_t(first);
+    for (std::size_t i = 0; i < records.size(); ++i)
+        if (texture_of(scene, scene.triangles[i])) records[i] = next++;
+    tbb::parallel_for(std::size_t(0), records.size(), [&](std::size_t i) {
+        if (records[i] == 0) return;
+        Words scratch;
+        write_payload(record_of(scene, lattice, config, std::uint32_t(i),
+                                base_of[*texture_of(scene, scene.triangles[i])]),
+                      config, &image.words[std::size_t(records[i]) * words_per_line], scratch);
+    });
+    return records;
+}
+
+std::int32_t spread_of(const Camera& camera, std::uint32_t height, int samples_per_side) {
+    const double spread = sample_spread(camera.fov_degrees, int(height), samples_per_side);
+    return level_number(std::log2(spread) - length_bias);
+}
+
+}   // namespace rayclock

@@ -1,0 +1,36 @@
+#pragma once
+// Textures in the memory image: texels, and the record of each textured triangle.
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "model/layout/memory_image.hpp"
+#include "model/scene/scene.hpp"
+#include "model/unit/tex/texel.hpp"
+
+namespace rayclock {
+
+/// Returns the texture record of a triangle whose material has a texture. `base`: the first line of its
+/// texels.
+TexRecord record_of(const Scene& scene, const Lattice& lattice, const Config& config, std::uint32_t triangle,
+                    std::uint32_t base);
+
+/// The first lines of the textures that an image holds. Textures that differ only in their filter share
+/// texels.
+using TextureLines = std::map<std::tuple<const Pyramid*, Wrap, Wrap>, std::uint32_t>;
+
+/// Appends the texels of all textures that triangles use to the image, except those that `known` has, then a
+/// record for each triangle that has a texture. `lattice`: that of the triangles. Returns the line of each
+/// triangle's record, 0 without a texture; empty if the chip or the scene has no textures. Throws UserError
+/// beyond the address range.
+std::vector<std::uint32_t> write_textures(const Scene& scene, const Lattice& lattice, const Config& config,
+                                          const std::string& name, TextureLines& known, MemoryImage& image);
+
+/// Returns Placement::texel_scale for the entries of an instance's map.
+std::int32_t texel_scale_of(const std::array<std::int32_t, 9>& a, const Config& config);
+
+/// Returns ShadeFrame::spread for a picture of this height.
+std::int32_t spread_of(const Camera& camera, std::uint32_t height, int samples_per_side);
+
+}   // namespace rayclock

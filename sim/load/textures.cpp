@@ -1,0 +1,252 @@
+// Decoding pictures, and settling which primitives show them.
+#include "sim/load/textures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
+#include "model/scene/view.hpp"
+
+namespace rayclock {
+namespace {
+
+/// Gives primitives without coordinates a material in the average colour of its texture.
+class AverageMaterials {
+public:
+    explicit AverageMaterials(Scene& scene) : scene_(scene) {}
+
+    /// Returns the number of the material without its texture.
+    std::uint32_t of(std::uint32_t material) {
+        const auto [found, is_new] =
+            made_.try_emplace(material, static_cast<std::uint32_t>(scene_.materials.size()));
+        if (!is_new) return found->second;
+        scene_.materials.push_back(scene_.materials[material]);
+        make_plain(scene_.materials.back());
+        return found->second;
+    }
+
+    void make_plain(Material& material) {
+        const std::uint32_t texture = *material.texture;
+        const auto [average, is_new] = averages_.try_emplace(texture);
+        if (is_new) average->second = average_of(scene_.textures[texture]);
+        material.colour = glm::clamp(material.colour * average->second, 0.0, 1.0);
+        material.texture.reset();
+    }
+
+private:
+    Scene& scene_;
+    std::map<std::uint32_t, std::uint32_t> made_;
+    std::map<std::uint32_t, glm::dvec3> averages_;
+};
+
+/// Frees the memory too.
+void drop_coordinates(PlacedScene& scene) {
+    scene.own.coordinates = std::vector<CornerCoordinates>();
+    for (SharedMesh& mesh : scene.meshes) mesh.coordinates = std::vector<CornerCoordinates>();
+}
+
+/// Settles the textures of one scene, mesh by mesh.
+class TextureSettler {
+public:
+    TextureSettler(PlacedScene& scene, const std::string& where, Loading& loading)
+        : scene_(scene), where_(where), loading_(loading), plain_(scene.own), warnings_(where) {}
+
+    void settle() {
+        Scene& own = scene_.own;
+        if (!loading_.draws_textures()) average_all();
+        settle(own, {}, true, "");
+        settle_meshes();
+        copy_painted_meshes();
+        for (auto& sphere : own.spheres) settle_round(sphere, "sphere");
+        for (auto& plane : own.planes) settle_round(plane, "plane");
+        if (shows_any_)
+            fill_gaps();
+        else
+            clear();
+        warnings_.say(loading_);
+    }
+
+private:
+    bool has_texture(std::uint32_t material) const {
+        return scene_.own.materials[material].texture.has_value();
+    }
+    const Texture& texture_of(std::uint32_t material) const {
+        return scene_.own.textures[*scene_.own.materials[material].texture];
+    }
+
+    void average_all() {
+        for (Material& material : scene_.own.materials)
+            if (material.texture) plain_.make_plain(material);
+    }
+
+    void settle_meshes() {
+        for (std::size_t m = 0; m < scene_.meshes.size(); ++m) {
+            SharedMesh& mesh = scene_.meshes[m];
+            std::vector<Instance*> instances;
+            bool keeps_own = false;
+            for (Instance& instance : scene_.instances)
+                if (instance.mesh == m) {
+                    if (instance.material) instances.push_back(&instance);
+                    keeps_own = keeps_own || !instance.material;
+                }
+            std::vector<std::uint32_t> given;
+            for (Instance* instance : instances)
+                if (has_texture(*instance->material)) {
+                    if (is_whole(mesh)) {
+                        given.push_back(*instance->material);
+                    } else {
+                        warnings_.count("instance", without_coordinates);
+                        instance->material = plain_.of(*instance->material);
+                    }
+                }
+            settle(mesh, given, keeps_own, fmt::format("mesh {}, ", m));
+        }
+    }
+
+    static constexpr const char* without_coordinates =
+        "with a texture and without texture coordinates, drawn in the texture's average colour";
+
+    static bool has_coordinates(const CornerCoordinates& corners) {
+        return std::none_of(corners.begin(), corners.end(),
+                            [](const glm::dvec2& st) { return std::isnan(st.x) || std::isnan(st.y); });
+    }
+    template <class Mesh> static bool is_whole(const Mesh& mesh) {
+        return mesh.coordinates.size() == mesh.triangles.size() &&
+               std::all_of(mesh.coordinates.begin(), mesh.coordinates.end(), has_coordinates);
+    }
+
+    /// `given`: textured materials that instances give all triangles. `keeps_own`: some place shows the
+    /// triangles' own materials.
+    template <class Mesh> void settle(Mesh& mesh, const std::vector<std::uint32_t>& given, bool keeps_own,
+                                      const std::string& name) {
+        for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+            std::uint32_t& own = mesh.triangles[i].material;
+            const bool is_known = !mesh.coordinates.empty() && has_coordinates(mesh.coordinates[i]);
+            if (has_texture(own) && !is_known) {
+                if (keeps_own) warnings_.count("triangle", without_coordinates);
+                own = plain_.of(own);
+            }
+            std::vector<std::uint32_t> shown = given;
+            if (keeps_own && has_texture(own)) shown.push_back(own);
+            if (!shown.empty()) shift(mesh.coordinates[i], shown, fmt::format("{}triangle {}", name, i));
+            if (shown.empty() && !mesh.coordinates.empty()) mesh.coordinates[i] = {};
+        }
+    }
+
+    /// Shifts by periods of all textures that the triangle shows. A period of `mirror` is one of `repeat`.
+    void shift(CornerCoordinates& corners, const std::vector<std::uint32_t>& shown, const std::string& name) {
+        shows_any_ = true;
+        Texture coarsest = texture_of(shown.front());
+        for (const std::uint32_t material : shown) {
+            const Texture& texture = texture_of(material);
+            coarsest.wrap_s = std::max(coarsest.wrap_s, texture.wrap_s);
+            coarsest.wrap_t = std::max(coarsest.wrap_t, texture.wrap_t);
+        }
+        if (const std::string fault = coordinate_fault(coarsest, corners); !fault.empty())
+            throw UserError(fmt::format("{}: {} (counted from 0) {}", where_, name, fault));
+        corners = near_zero(coarsest, corners);
+    }
+
+    /// Gives an instance whose own material has a texture a mesh of its own, because a machine of two levels
+    /// finds textures by meshes. Instances with the same mesh and material share the copy.
+    void copy_painted_meshes() {
+        std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> copies;
+        for (Instance& instance : scene_.instances) {
+            if (!instance.material || !has_texture(*instance.material)) continue;
+            const auto [copy, is_new] =
+                copies.try_emplace({instance.mesh, *instance.material}, std::uint32_t(scene_.meshes.size()));
+            if (is_new) {
+                SharedMesh mesh = scene_.meshes[instance.mesh];
+                for (Triangle& triangle : mesh.triangles) triangle.material = *instance.material;
+                scene_.meshes.push_back(std::move(mesh));
+                follow_deformation(instance.mesh, copy->second);
+            }
+            instance.mesh = copy->second;
+            instance.material.reset();
+        }
+    }
+
+    void follow_deformation(std::uint32_t mesh, std::uint32_t copy) {
+        std::vector<Deforming>& deforming = scene_.motion.deforming;
+        const auto found = std::ranges::find(deforming, mesh, &Deforming::mesh);
+        if (found == deforming.end()) return;
+        Deforming same = *found;
+        same.mesh = copy;
+        deforming.push_back(std::move(same));
+    }
+
+    template <class Round> void settle_round(Round& primitive, const char* what) {
+        if (!has_texture(primitive.material)) return;
+        warnings_.count(what, "with a texture, drawn in the texture's average colour");
+        primitive.material = plain_.of(primitive.material);
+    }
+
+    /// Gives meshes without coordinates some, because the flat scene has one entry per triangle.
+    void fill_gaps() {
+        scene_.own.coordinates.resize(scene_.own.triangles.size());
+        for (SharedMesh& mesh : scene_.meshes) mesh.coordinates.resize(mesh.triangles.size());
+    }
+
+    void clear() {
+        for (Material& material : scene_.own.materials) material.texture.reset();
+        scene_.own.textures.clear();
+        drop_coordinates(scene_);
+    }
+
+    PlacedScene& scene_;
+    std::string where_;
+    Loading& loading_;
+    AverageMaterials plain_;
+    Warnings warnings_;
+    bool shows_any_ = false;
+};
+
+static_assert(Wrap::repeat < Wrap::mirror && Wrap::mirror < Wrap::clamp);
+
+}   // namespace
+
+std::string coordinate_fault(const Texture& texture, const CornerCoordinates& corners) {
+    for (const glm::dvec2& corner : corners)
+        for (const double x : {corner.x, corner.y})
+            if (!(std::abs(x) <= most_given_coordinate))
+                return fmt::format(
+                    "has the texture coordinate {}, which must lie within -1000000 and 1000000", text_of(x));
+    for (const glm::dvec2& corner : near_zero(texture, corners))
+        for (const double x : {corner.x, corner.y})
+            if (!(std::abs(x) <= most_coordinate))
+                return fmt::format(
+                    "has texture coordinates that lie {} from the middle of the picture's period; the most "
+                    "is {}",
+                    text_of(std::abs(x)), most_coordinate);
+    return {};
+}
+
+std::shared_ptr<const Pyramid> read_pyramid(const std::string& bytes, const std::string& file,
+                                            const std::string& name, Loading& loading, std::string& why) {
+    std::optional<TexelLevel> picture = loading.picture(bytes, why);
+    if (!picture) return nullptr;
+    const int width = picture->width, height = picture->height;
+    const std::uint64_t texels = std::uint64_t(texture_side(width)) * std::uint64_t(texture_side(height));
+    if (!loading.may_make(2 * texels * sizeof(picture->texels[0])))
+        throw UserError(printable(file) + ": " + name + " " + loading.too_much());
+    if (width > most_texture_side || height > most_texture_side)
+        loading.note(file, fmt::format("{} has {} x {} texels, drawn with {} x {}", name, width, height,
+                                       texture_side(width), texture_side(height)));
+    return std::make_shared<const Pyramid>(make_pyramid(resampled(*picture)));
+}
+
+void settle_textures(PlacedScene& scene, const std::string& where, Loading& loading) {
+    if (scene.own.textures.empty()) {
+        drop_coordinates(scene);
+        return;
+    }
+    TextureSettler(scene, where, loading).settle();
+}
+
+}   // namespace rayclock

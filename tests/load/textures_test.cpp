@@ -1,0 +1,453 @@
+// Textures from files: coordinates through OBJ, glTF and JSON, samplers, transforms, pictures that are
+// missing or wrong, and --no-textures.
+#include <cmath>
+#include <cstring>
+
+#include <catch2/catch.hpp>
+#include <zlib.h>
+
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+
+#include "model/scene/placed.hpp"
+#include "sim/files/image/average.hpp"
+#include "sim/files/image/image.hpp"
+#include "tests/support/scenes/scene_files.hpp"
+
+namespace rayclock::test::textures_test {
+
+using namespace rayclock;
+using namespace rayclock::test;
+using Catch::Matchers::Contains;
+using Json = nlohmann::json;
+
+namespace {
+
+using Notes = std::vector<std::string>;
+
+struct Read {
+    Scene scene;
+    Notes notes;
+
+    const Texture& texture(std::size_t triangle = 0) const {
+        return scene.textures.at(scene.materials[scene.triangles[triangle].material].texture.value());
+    }
+    const Material& material(std::size_t triangle = 0) const {
+        return scene.materials[scene.triangles[triangle].material];
+    }
+};
+
+Read read(const std::string& spec, Textures textures = Textures::drawn) {
+    Read made;
+    made.scene = load_scene(spec, {}, Primitives::triangles, &made.notes, textures);
+    return made;
+}
+
+/// A picture of 2 x 2 pixels: white, red, green, blue.
+std::string picture() { return png_bytes({{2, 2}, {{1, 1, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}); }
+
+const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+const std::string painted_face =
+    "mtllib a.mtl\n" + corners + "vt 0 0\nvt 1 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3\n";
+
+/// An OBJ file with its MTL file and the picture p.png.
+Read obj(const Folder& folder, const std::string& mtl, const std::string& text = painted_face,
+         Textures textures = Textures::drawn) {
+    folder.write("p.png", picture());
+    folder.write("a.mtl", "newmtl a\nKd 0.5 0.5 0.5\n" + mtl);
+    return read(folder.write("a.obj", text), textures);
+}
+
+std::string obj_complaint(const std::string& text, const std::string& mtl = "map_Kd p.png\n") {
+    const Folder folder;
+    try {
+        obj(folder, mtl, text);
+    } catch (const UserError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+void check_near(const CornerCoordinates& is, const CornerCoordinates& wanted) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        INFO(is[k].x << " " << is[k].y << " instead of " << wanted[k].x << " " << wanted[k].y);
+        CHECK(glm::length(is[k] - wanted[k]) < 1e-6);
+    }
+}
+
+/// A glTF file of one triangle with the coordinates (0, 0), (1, 0), (0, 1) as set 0 and (0.5, 0.25)
+/// everywhere as set 1.
+Json triangle_gltf() {
+    std::string bytes;
+    for (const float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) bytes += raw(x);
+    for (const float x : {0.f, 0.f, 1.f, 0.f, 0.f, 1.f}) bytes += raw(x);
+    for (int i = 0; i < 3; ++i) bytes += raw(0.5f) + raw(0.25f);
+    Json json{
+        {"asset", {{"version", "2.0"}}},
+        {"buffers", {{{"byteLength", bytes.size()}, {"uri", "data:;base64," + base64(bytes)}}}},
+        {"images", {{{"uri", "data:image/png;base64," + base64(picture())}}}},
+        {"textures", {{{"source", 0}}}},
+        {"materials",
+         {{{"pbrMetallicRoughness",
+            {{"baseColorTexture", {{"index", 0}}},
+             {"baseColorFactor", {1, 1, 0.5, 1}},
+             {"metallicFactor", 0}}}}}},
+        {"meshes",
+         {{{"primitives",
+            {{{"attributes", {{"POSITION", 0}, {"TEXCOORD_0", 1}, {"TEXCOORD_1", 2}}}, {"material", 0}}}}}}},
+        {"nodes", {{{"mesh", 0}}}}};
+    for (const auto& [offset, length] : {std::pair{0, 36}, {36, 24}, {60, 24}})
+        json["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", offset}, {"byteLength", length}});
+    json["accessors"] = {{{"bufferView", 0}, {"componentType", 5126}, {"count", 3}, {"type", "VEC3"}},
+                         {{"bufferView", 1}, {"componentType", 5126}, {"count", 3}, {"type", "VEC2"}},
+                         {{"bufferView", 2}, {"componentType", 5126}, {"count", 3}, {"type", "VEC2"}}};
+    return json;
+}
+
+Json& base_texture(Json& json) { return json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]; }
+
+Read gltf(const Json& json, Textures textures = Textures::drawn) {
+    const Folder folder;
+    return read(folder.write("a.gltf", json.dump()), textures);
+}
+
+Json inline_json() {
+    return {{"materials", {{"m", {{"colour", {1, 0.5, 1}}, {"texture", "p.png"}}}}},
+            {"meshes",
+             {{"t",
+               {{"vertices", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
+                {"triangles", {{0, 1, 2}}},
+                {"coordinates", {{{0, 1}, {1, 1}, {0, 0}}}}}}}},
+            {"objects", {{{"mesh", "t"}, {"material", "m"}}}}};
+}
+
+Read json(const Json& document, Textures textures = Textures::drawn) {
+    const Folder folder;
+    folder.write("p.png", picture());
+    folder.write("flat.obj", corners + "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
+    return read(folder.write("a.json", document.dump()), textures);
+}
+
+std::string json_complaint(const Json& document) {
+    try {
+        json(document);
+    } catch (const UserError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+/// A chunk of a PNG file, with its checksum.
+std::string png_chunk(const std::string& kind, const std::string& data) {
+    const std::string sealed = kind + data;
+    const auto sum = std::uint32_t(
+        crc32(0, reinterpret_cast<const Bytef*>(sealed.data()), static_cast<uInt>(sealed.size())));
+    return raw(std::uint32_t(data.size()), true) + sealed + raw(sum, true);
+}
+
+/// A PNG file. `rows` holds each row behind its filter byte 0. `others` are chunks before the pixels.
+std::string png_of(std::uint32_t width, std::uint32_t height, int depth, int colour_type,
+                   const std::string& rows, const std::string& others = {}) {
+    uLongf size = compressBound(uLong(rows.size()));
+    std::string packed(size, '\0');
+    compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(rows.data()),
+             uLong(rows.size()));
+    packed.resize(size);
+    const std::string header =
+        raw(width, true) + raw(height, true) + char(depth) + char(colour_type) + std::string(3, '\0');
+    return "\x89PNG\r\n\x1a\n" + png_chunk("IHDR", header) + others + png_chunk("IDAT", packed) +
+           png_chunk("IEND", "");
+}
+
+using Texels = std::vector<std::array<std::uint8_t, 4>>;
+
+}   // namespace
+
+TEST_CASE("pictures of every depth become codes of 8 bits") {
+    const auto bytes = [](std::initializer_list<int> list) {
+        std::string text;
+        for (const int x : list) text += static_cast<char>(x);
+        return text;
+    };
+    // 16-bit grey: 0x8080 is the code 128.
+    CHECK(decoded_picture(png_of(2, 1, 16, 0, bytes({0, 0x80, 0x80, 0xff, 0xff}))).texels ==
+          Texels{{128, 128, 128, 255}, {255, 255, 255, 255}});
+    CHECK(decoded_picture(png_of(2, 1, 8, 4, bytes({0, 7, 99, 200, 0}))).texels ==
+          Texels{{7, 7, 7, 99}, {200, 200, 200, 0}});
+    CHECK(decoded_picture(png_of(2, 1, 8, 6, bytes({0, 1, 2, 3, 4, 250, 251, 252, 253}))).texels ==
+          Texels{{1, 2, 3, 4}, {250, 251, 252, 253}});
+    CHECK(decoded_picture(png_of(3, 1, 1, 0, bytes({0, 0xa0}))).texels ==
+          Texels{{255, 255, 255, 255}, {0, 0, 0, 255}, {255, 255, 255, 255}});
+    const std::string palette = png_chunk("PLTE", bytes({10, 20, 30, 40, 50, 60}));
+    CHECK(decoded_picture(png_of(2, 1, 8, 3, bytes({0, 1, 0}), palette)).texels ==
+          Texels{{40, 50, 60, 255}, {10, 20, 30, 255}});
+    // The sizes of a header alone.
+    const auto refusal = [](std::uint32_t width, std::uint32_t height) -> std::string {
+        try {
+            decoded_picture(png_of(width, height, 8, 0, std::string(1, '\0')));
+        } catch (const std::runtime_error& error) {
+            return error.what();
+        }
+        return {};
+    };
+    CHECK(refusal(16385, 1) == "16385x1 texels are too many");
+    CHECK(refusal(1, 16385) == "1x16385 texels are too many");
+}
+
+TEST_CASE("obj: map_Kd multiplies the colour, and v counts up") {
+    const Folder folder;
+    const Read made = obj(folder, "map_Kd p.png\n");
+    CHECK(made.notes.empty());
+    CHECK(made.material().colour == glm::dvec3(0.5));
+    check_near(made.scene.coordinates.at(0), {{{0, 1}, {1, 1}, {0, 0}}});
+    const Texture& texture = made.texture();
+    CHECK(texture.name == "p.png");
+    CHECK(texture.wrap_s == Wrap::repeat);
+    REQUIRE(texture.pyramid->levels.size() == 2);
+    CHECK(texture.pyramid->levels[0].texels[1] == std::array<std::uint8_t, 4>{255, 0, 0, 255});
+    // Without Kd the picture shows its own colours.
+    CHECK(obj(folder, "newmtl b\nmap_Kd p.png\n",
+              "mtllib a.mtl\n" + corners + "vt 0 0\nusemtl b\nf 1/1 2/1 3/1\n")
+              .material()
+              .colour == glm::dvec3(1));
+}
+
+TEST_CASE("obj: the options of map_Kd, and names with blanks") {
+    const Folder folder;
+    const Read made = obj(folder, "map_Kd -s 2 4 1 -o 0.25 0.5 -clamp on -bm 1 -blendu off p.png\n");
+    // s = 2 u + 0.25, t = 1 - (4 v + 0.5)
+    check_near(made.scene.coordinates.at(0), {{{0.25, 0.5}, {2.25, 0.5}, {0.25, -3.5}}});
+    CHECK(made.texture().wrap_t == Wrap::clamp);
+    CHECK(made.notes == Notes{folder.name("a.obj") + ": 2 options of map_Kd ignored (the first: '-bm')"});
+    folder.write("my wood.png", picture());
+    CHECK(obj(folder, "map_Kd -s 1 1 1 my wood.png\n").texture().name == "my wood.png");
+    folder.write("sub.png", picture());
+    CHECK(obj(folder, "map_Kd .\\sub.png\nmap_bump p.png\n").notes ==
+          Notes{folder.name("a.obj") + ": 1 material with other textures, which are not drawn ('a')"});
+}
+
+TEST_CASE("obj: a missing, foreign or cut picture leaves the material's colour") {
+    const Folder folder;
+    Read made = obj(folder, "map_Kd none.png\n");
+    CHECK(made.notes == Notes{folder.name("a.obj") + ": a picture is not drawn: " + folder.name("none.png") +
+                              ": there is no such file"});
+    CHECK(made.material().colour == glm::dvec3(0.5));
+    CHECK(made.scene.textures.empty());
+    CHECK(made.scene.coordinates.empty());
+    folder.write("odd.png", "GIF89a and so on");
+    made = obj(folder, "map_Kd odd.png\n");
+    REQUIRE(made.notes.size() == 1);
+    CHECK_THAT(made.notes[0],
+               Contains("a.obj: the picture ") && Contains("odd.png is not drawn: it is not PNG"));
+    folder.write("cut.png", picture().substr(0, picture().size() - 30));
+    made = obj(folder, "map_Kd cut.png\n");
+    REQUIRE(made.notes.size() == 1);
+    CHECK_THAT(made.notes[0], Contains("cut.png is not drawn"));
+}
+
+TEST_CASE("obj: faces without coordinates have the average colour") {
+    const Folder folder;
+    const Read made = obj(folder, "map_Kd p.png\n", painted_face + "f 1 2 3\nf 1/9 2/2 3/3\n");
+    REQUIRE(made.scene.triangles.size() == 3);
+    CHECK(made.material(0).texture);
+    CHECK_FALSE(made.material(1).texture);
+    CHECK(glm::length(made.material(1).colour - glm::dvec3(0.25)) < 1e-12);   // half of half the texels
+    CHECK(made.scene.triangles[2].material == made.scene.triangles[1].material);
+    CHECK(made.scene.coordinates.size() == 3);
+    CHECK(made.notes == Notes{folder.name("a.obj") +
+                              ": 2 triangles with a texture and without texture coordinates, drawn in the "
+                              "texture's average colour"});
+}
+
+TEST_CASE("obj: --no-textures draws the material's colour, and reads no picture") {
+    const Folder folder;
+    const Read made = obj(folder, "map_Kd p.png\n", painted_face, Textures::averaged);
+    CHECK(made.material().colour == glm::dvec3(0.5));
+    CHECK(made.scene.coordinates.empty());
+    CHECK(made.notes ==
+          Notes{folder.name("a.obj") + ": 1 material with textures, which are not drawn ('a')"});
+}
+
+TEST_CASE("obj: coordinates that cannot be drawn are refused where a picture needs them") {
+    const auto face = [](const std::string& vt) {
+        return "mtllib a.mtl\n" + corners + vt + "usemtl a\nf 1/1 2/2 3/3\n";
+    };
+    CHECK_THAT(obj_complaint(face("vt 0 0\nvt nan 0\nvt 0 1\n")), Contains("a.obj: line 6: vt 'nan 0'"));
+    CHECK_THAT(obj_complaint(face("vt 0 0\nvt 1e9 0\nvt 0 1\n")),
+               Contains("a.obj: face 1 has the texture coordinate 1000000000"));
+    CHECK_THAT(obj_complaint(face("vt 0 0\nvt 200 0\nvt 0 1\n")), Contains("a.obj: face 1 has texture"));
+    CHECK_THAT(obj_complaint(face("vt 0 0\nvt 65 0\nvt 0 1\n"), "map_Kd -clamp on p.png\n"),
+               Contains("a.obj: face 1"));
+    CHECK(obj_complaint(face("vt 500 0\nvt 501 0\nvt 500 1\n")).empty());
+    CHECK(obj_complaint(face("vt 0 0\nvt nan 0\nvt 1e9 1\n"), "").empty());
+    CHECK(obj_complaint(face("vt 0 0\nvt nan 0\nvt 0 1\n"), "map_Kd none.png\n").empty());
+}
+
+TEST_CASE("gltf: the base colour's texture is drawn with its coordinates and sampler") {
+    Json document = triangle_gltf();
+    Read made = gltf(document);
+    CHECK(made.notes.empty());
+    CHECK(made.material().colour == glm::dvec3(1, 1, 0.5));
+    check_near(made.scene.coordinates.at(0), {{{0, 0}, {1, 0}, {0, 1}}});
+    CHECK(made.texture().wrap_s == Wrap::repeat);
+    CHECK_FALSE(made.texture().nearest);
+    CHECK(made.texture().mipmaps);
+    document["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}, {"minFilter", 9729}}};
+    document["textures"][0]["sampler"] = 0;
+    base_texture(document)["texCoord"] = 1;
+    made = gltf(document);
+    CHECK(made.texture().wrap_s == Wrap::clamp);
+    CHECK(made.texture().wrap_t == Wrap::mirror);
+    CHECK(made.texture().nearest);
+    CHECK_FALSE(made.texture().mipmaps);
+    check_near(made.scene.coordinates.at(0), {{{0.5, 0.25}, {0.5, 0.25}, {0.5, 0.25}}});
+    document["samplers"][0]["wrapS"] = 1;
+    CHECK_THROWS_WITH(gltf(document), Contains("samplers[0].wrapS") && Contains("33648"));
+}
+
+TEST_CASE("gltf: KHR_texture_transform scales, turns and moves") {
+    Json document = triangle_gltf();
+    Json& transform = base_texture(document)["extensions"]["KHR_texture_transform"];
+    // The example of the extension: the lower left quarter of the picture, turned by a quarter.
+    transform = {{"offset", {0, 1}}, {"rotation", std::acos(-1) / 2}, {"scale", {0.5, 0.5}}};
+    check_near(gltf(document).scene.coordinates.at(0), {{{0, 1}, {0, 0.5}, {0.5, 1}}});
+    transform = {{"rotation", std::acos(-1) / 6}, {"scale", {2, 1}}};
+    const double c = std::sqrt(0.75), s = 0.5;
+    // (1, 0) becomes (2, 0), then (2 c, -2 s); (0, 1) becomes (s, c). All move by 1 along t.
+    check_near(gltf(document).scene.coordinates.at(0), {{{0, 1}, {2 * c, 1 - 2 * s}, {s, c + 1}}});
+    transform = {{"texCoord", 1}, {"offset", {0.125, 0}}};
+    check_near(gltf(document).scene.coordinates.at(0), {{{0.625, 0.25}, {0.625, 0.25}, {0.625, 0.25}}});
+    transform = {{"offset", {1}}};
+    CHECK_THROWS_WITH(gltf(document), Contains("offset") && Contains("2 numbers"));
+}
+
+TEST_CASE("gltf: wrong coordinates are refused, and missing ones give the average colour") {
+    Json document = triangle_gltf();
+    document["accessors"][1]["count"] = 2;
+    CHECK_THROWS_WITH(gltf(document), Contains("TEXCOORD_0 has 2 texture coordinates for 3 vertices"));
+    document = triangle_gltf();
+    Json& transform = base_texture(document)["extensions"]["KHR_texture_transform"];
+    transform = {{"scale", {1e9, 1}}};
+    CHECK_THROWS_WITH(gltf(document), Contains("accessors[1]") && Contains("1e+09"));
+    transform = {{"scale", {300, 1}}};
+    CHECK_THROWS_WITH(gltf(document), Contains("accessors[1]") && Contains("the most is 64"));
+    document = triangle_gltf();
+    base_texture(document)["texCoord"] = 2;
+    const Read made = gltf(document);
+    CHECK(made.scene.coordinates.empty());
+    REQUIRE(made.notes.size() == 1);
+    CHECK_THAT(made.notes[0], Contains("1 triangle with a texture and without texture coordinates"));
+    CHECK(glm::length(made.material().colour - glm::dvec3(0.5, 0.5, 0.25)) < 1e-12);
+}
+
+TEST_CASE("gltf: --no-textures draws the average colour with the old message") {
+    const Read made = gltf(triangle_gltf(), Textures::averaged);
+    CHECK(made.scene.textures.empty());
+    CHECK(made.scene.coordinates.empty());
+    CHECK(glm::length(made.material().colour - glm::dvec3(0.5, 0.5, 0.25)) < 1e-6);
+    REQUIRE(made.notes.size() == 1);
+    CHECK_THAT(made.notes[0],
+               Contains("1 material with a texture of its colour, drawn in the mean of the texture"));
+}
+
+TEST_CASE("gltf: instances share the coordinates of their mesh") {
+    Json document = triangle_gltf();
+    document["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}, {"scale", {-1, 1, 1}}}};
+    const Read made = gltf(document);
+    REQUIRE(made.scene.placed);
+    CHECK(made.scene.placed->meshes.at(0).coordinates.size() == 1);
+    REQUIRE(made.scene.coordinates.size() == 2);
+    check_near(made.scene.coordinates[0], {{{0, 0}, {1, 0}, {0, 1}}});
+    check_near(made.scene.coordinates[1], {{{0, 0}, {0, 1}, {1, 0}}});
+}
+
+TEST_CASE("json: a material's texture, in short and with all keys") {
+    Read made = json(inline_json());
+    CHECK(made.notes.empty());
+    CHECK(made.material().colour == glm::dvec3(1, 0.5, 1));
+    check_near(made.scene.coordinates.at(0), {{{0, 1}, {1, 1}, {0, 0}}});
+    Json document = inline_json();
+    document["materials"]["m"]["texture"] = {
+        {"file", "p.png"}, {"wrap", {"mirror", "clamp"}}, {"filter", "nearest"}, {"mipmaps", false}};
+    made = json(document);
+    CHECK(made.texture().wrap_s == Wrap::mirror);
+    CHECK(made.texture().wrap_t == Wrap::clamp);
+    CHECK(made.texture().nearest);
+    CHECK_FALSE(made.texture().mipmaps);
+    document["meshes"]["t"] = {{"file", "flat.obj"}};   // keeps its coordinates
+    document["objects"][0]["instances"] = {{{"translate", {0, 0, 1}}}, {{"translate", {0, 0, 2}}}};
+    made = json(document);
+    REQUIRE(made.scene.coordinates.size() == 2);
+    check_near(made.scene.coordinates[1], {{{0, 1}, {1, 1}, {0, 0}}});
+    const Read plain = json(inline_json(), Textures::averaged);
+    CHECK(plain.scene.coordinates.empty());
+    CHECK(glm::length(plain.material().colour - glm::dvec3(0.5, 0.25, 0.5)) < 1e-6);
+}
+
+TEST_CASE("json: spheres, planes and meshes without coordinates have the average colour") {
+    Json document = inline_json();
+    document["spheres"] = {{{"centre", {0, 0, 0}}, {"radius", 1}, {"material", "m"}}};
+    document["planes"] = {{{"point", {0, 0, 0}}, {"u", {1, 0, 0}}, {"v", {0, 0, 1}}, {"material", "m"}}};
+    document["meshes"]["o"] = {{"builtin", "icosphere:1"}};
+    document["objects"].push_back({{"mesh", "o"}, {"material", "m"}, {"instances", {Json::object()}}});
+    const Read made = json(document);
+    const Scene& scene = made.scene;
+    CHECK(scene.materials[scene.triangles[0].material].texture);
+    const Material& plain = scene.materials[scene.spheres[0].material];
+    CHECK_FALSE(plain.texture);
+    CHECK(glm::length(plain.colour - glm::dvec3(0.5, 0.25, 0.5)) < 1e-12);
+    CHECK(scene.planes[0].material == scene.spheres[0].material);
+    CHECK(scene.triangles[1].material == scene.spheres[0].material);
+    CHECK(scene.coordinates.size() == 81);
+    CHECK(made.notes.size() == 3);
+}
+
+TEST_CASE("json: the room as a mesh keeps its textures, in their own numbering") {
+    Json document = inline_json();
+    document["meshes"]["room"] = {{"builtin", "room"}};
+    document["objects"].push_back({{"mesh", "room"}});
+    const Read made = json(document);
+    CHECK(made.scene.textures.size() == 7);
+    CHECK(made.texture(0).name == "p.png");
+    CHECK(made.texture(1).name == "tiles");
+    const Scene room = load_scene("room", {}, Primitives::triangles, nullptr, Textures::averaged);
+    CHECK(room.textures.empty());
+    CHECK(room.coordinates.empty());
+}
+
+TEST_CASE("json: wrong textures are named by their path") {
+    const auto with = [](const Json& texture) {
+        Json document = inline_json();
+        document["materials"]["m"]["texture"] = texture;
+        return json_complaint(document);
+    };
+    CHECK_THAT(with("none.png"),
+               Contains("none.png: there is no such file") && Contains("materials.m.texture"));
+    CHECK_THAT(with("flat.obj"), Contains("materials.m.texture names 'flat.obj'") && Contains("not PNG"));
+    CHECK_THAT(with(3), Contains("materials.m.texture must be the name of a picture"));
+    CHECK_THAT(with({{"file", "p.png"}, {"wrap", "round"}}), Contains("materials.m.texture.wrap"));
+    CHECK_THAT(with({{"file", "p.png"}, {"filter", "cubic"}}), Contains("\"nearest\" or \"bilinear\""));
+    CHECK_THAT(with({{"file", "p.png"}, {"mip", true}}), Contains("'mip'"));
+    Json document = inline_json();
+    document["meshes"]["t"]["coordinates"] = Json::array();
+    CHECK_THAT(json_complaint(document), Contains("coordinates has 0 entries for 1 triangles"));
+    document["meshes"]["t"]["coordinates"] = {{{0, 0}, {1000, 0}, {0, 1}}};
+    CHECK_THAT(json_complaint(document), Contains("triangle 0 (counted from 0) has texture coordinates"));
+    document["meshes"]["t"]["coordinates"] = {{{0, 0}, {1e9, 0}, {0, 1}}};
+    CHECK_THAT(json_complaint(document), Contains("1e+09"));
+}
+
+TEST_CASE("pictures of odd sizes are resampled, with a note if they shrink") {
+    const Folder folder;
+    folder.write("p3.png", png_bytes({{3, 5}, std::vector<glm::vec3>(15, glm::vec3(1))}));
+    const Read made = obj(folder, "map_Kd p3.png\n");
+    CHECK(made.notes.empty());
+    CHECK(made.texture().pyramid->levels[0].width == 4);
+    CHECK(made.texture().pyramid->levels[0].height == 4);
+    folder.write("wide.png", png_bytes({{5000, 1}, std::vector<glm::vec3>(5000, glm::vec3(1))}));
+    const Read wide = obj(folder, "map_Kd wide.png\n");
+    REQUIRE(wide.notes.size() == 1);
+    CHECK_THAT(wide.notes[0], Contains("wide.png has 5000 x 1 texels, drawn with 4096 x 1"));
+}
+
+}   // namespace rayclock::test::textures_test
