@@ -332,7 +332,7 @@ mutant(tex_path_second_and_smallest_swapped FILE rtl/unit/shade/rc_path_length.s
   OLD [[{5'b0, second[M-1:3]}]]
   NEW [[{5'b0, shortest[M-1:3]}]])
 mutant(tex_path_second_is_the_third FILE rtl/unit/shade/rc_path_length.sv TEST unit [pass][path]
-  OLD [[: smaller > size[2] ? smaller : size[2];]]
+  OLD [[: smaller > size_z ? smaller : size_z;]]
   NEW [[: smaller;]])
 mutant(tex_path_without_a_sixteenth FILE rtl/unit/shade/rc_path_length.sv TEST unit [pass][path]
   OLD [[ + {6'b0, shortest[M-1:4]};]]
