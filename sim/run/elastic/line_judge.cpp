@@ -2,7 +2,6 @@
 #include "sim/run/elastic/line_judge.hpp"
 
 #include <algorithm>
-#include <ranges>
 
 #include "sim/run/lockstep/ray_end.hpp"
 
@@ -129,9 +128,9 @@ void LineJudge::cycle(std::uint64_t now) {
     for (Pair& pair : pairs_)
         for (int p = 0; p < int(pair.waits.size()); ++p)
             if (rtl_.fires(p, pair.rsp) && !answer(now, pair, p, false)) early.emplace_back(&pair, p);
-    for (Pair& pair : std::views::reverse(pairs_))
-        for (int p = 0; p < int(pair.waits.size()); ++p)
-            if (rtl_.fires(p, pair.req)) ask(now, pair, p);
+    for (auto pair = pairs_.rbegin(); pair != pairs_.rend(); ++pair)
+        for (int p = 0; p < int(pair->waits.size()); ++p)
+            if (rtl_.fires(p, pair->req)) ask(now, *pair, p);
     for (const auto& [pair, p] : early) answer(now, *pair, p, true);
 }
 
