@@ -18,7 +18,7 @@ namespace rayclock::test::textures_test {
 
 using namespace rayclock;
 using namespace rayclock::test;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 using Json = nlohmann::json;
 
 namespace {
