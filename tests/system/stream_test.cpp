@@ -450,10 +450,10 @@ TEST_CASE("a chip for streams has no unit that only a picture needs", "[stream]"
                                    "planes=1", "scan_out=1"}) {
         INFO(item);
         CHECK_THROWS_WITH(with_settings(config, {item}, "here"),
-                          Catch::Matchers::Contains(item + " needs source=camera"));
+                          Catch::Contains(item + " needs source=camera"));
     }
     CHECK_THROWS_WITH(with_settings(config, {"shading=0"}, "here"),
-                      Catch::Matchers::Contains("source=stream needs shading=1"));
+                      Catch::Contains("source=stream needs shading=1"));
     Config all = config;
     all.scan_out = all.smooth = all.spheres = true;
     CHECK_NOTHROW(check_config(streaming(all), "here"));
