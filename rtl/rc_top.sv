@@ -59,7 +59,7 @@ module rc_top #(
 
   // ---- Pipelines. Their caches are clients of memory: client Clients p reads nodes, the
   // next one primitives, the next one surfaces if the chip shades, or records of a stream. The
-  // fourth one reads textures, if the chip has some.
+  // fourth client reads textures, if the chip has them.
   logic [Clients*Pipelines-1:0]                     miss_valid, miss_ready, fill_fires;
   logic [Clients*Pipelines*(CacheIdW+AddrBits)-1:0] miss;
   logic                                             fill_valid;

@@ -28,8 +28,8 @@ std::int32_t level_number(double log) {
     return std::int32_t(std::round(scaled > -most ? std::min(scaled, most) : -most));
 }
 
-/// Returns the number of the texel at `i` in a side, where i is at most one texel beyond the end. Tiles that
-/// are larger than the picture have more, which no filter reads.
+/// Returns the index of the texel at position i along a side. i lies at most one texel beyond the end. In
+/// tiles larger than the picture it may lie farther out, but no filter reads those texels.
 int wrapped_texel(int i, int side, Wrap wrap) {
     return wrap == Wrap::repeat ? i % side : std::min(i, side - 1);
 }
@@ -58,7 +58,7 @@ void write_level(const TexelLevel& level, const Texture& texture, TexelFormat fo
     });
 }
 
-/// Sets what all records of a texture have in common.
+/// Sets the fields that all records of a texture share.
 TexRecord common_record(const Texture& texture, std::uint32_t base) {
     const std::vector<TexelLevel>& levels = texture.pyramid->levels;
     TexRecord record;

@@ -20,10 +20,10 @@ TexRecord record_of(const Scene& scene, const Lattice& lattice, const Config& co
 /// texels.
 using TextureLines = std::map<std::tuple<const Pyramid*, Wrap, Wrap>, std::uint32_t>;
 
-/// Appends the texels of all textures that triangles use to the image, except those that `known` has, then a
-/// record for each triangle that has a texture. `lattice`: that of the triangles. Returns the line of each
-/// triangle's record, 0 without a texture; empty if the chip or the scene has no textures. Throws UserError
-/// beyond the address range.
+/// Appends the texels of all textures on triangles to the image, except those in `known`. Then appends a
+/// record for each textured triangle. `lattice`: the triangles' lattice. Returns the line of each triangle's
+/// record, 0 without a texture. The result is empty if the chip or the scene has no textures. Throws
+/// UserError beyond the address range.
 std::vector<std::uint32_t> write_textures(const Scene& scene, const Lattice& lattice, const Config& config,
                                           const std::string& name, TextureLines& known, MemoryImage& image);
 

@@ -43,7 +43,7 @@ struct ShadeFrame {
     std::uint32_t share = 0, first_share = 0;
     std::uint32_t seed = 0;
     std::array<std::uint32_t, 3> background{};   ///< unit_bits fraction bits
-    /// Logarithm of the width of a pixel's sample at a distance of 1, less length_bias: level_frac fraction
+    /// Logarithm of the width of a pixel's sample at a distance of 1, minus length_bias: level_frac fraction
     /// bits.
     std::int32_t spread = 0;
     std::uint32_t lights = 0;

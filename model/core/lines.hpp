@@ -25,7 +25,7 @@ struct Placement {
     std::uint32_t first_surface_line = 0;   ///< line that the surface of primitive 0 would have; it may wrap
     std::uint32_t material = 0;   ///< line of a surface whose material all its primitives take; 0: none
     std::uint32_t same = 0;       ///< 1: A = 1 and b = 0, so a ray is the same in its mesh and in the scene
-    /// With textures: log2 of the mesh's steps in a step of the scene, |det A|^(1/3); level_frac fraction
+    /// With textures: log2 of the number of mesh steps in a scene step, |det A|^(1/3); level_frac fraction
     /// bits.
     std::int32_t texel_scale = 0;
     std::array<std::int32_t, 9> a{};   ///< [3 * row + column], map_frac() fraction bits; 1 is possible
@@ -99,8 +99,8 @@ inline std::uint64_t radius_squared(const PrimData& sphere, int coord_bits) {
 /// How a texture continues beyond its edges.
 enum class WrapMode : std::uint32_t { repeat, mirror, clamp };
 
-/// The texture on a triangle: a line of memory (right-aligned), which Surface::record names. Coordinates s
-/// and t count pictures, t downwards.
+/// The texture on a triangle: a line of memory (right-aligned), which Surface::record names. One unit of s
+/// and t is the whole picture; t points down.
 struct TexRecord {
     std::array<std::int32_t, 3> s{}, t{};   ///< of the corners, coordinate_frac fraction bits
     std::uint32_t base = 0;   ///< first line of level 0; model/unit/tex/texel.hpp has the others
@@ -108,10 +108,9 @@ struct TexRecord {
     std::uint32_t wrap_s = 0, wrap_t = 0;          ///< WrapMode
     std::uint32_t nearest = 0;                     ///< 1: the nearest texel; 0: bilinear
     std::uint32_t last_level = 0;                  ///< number of the smallest level
-    /// Logarithm of the density of level 0: texels in a distance of 2^-F lattice steps. level_frac fraction
-    /// bits.
+    /// Logarithm of the density of level 0: texels per 2^-F lattice steps. level_frac fraction bits.
     std::int32_t density = 0;
-    /// Where alpha is less, the triangle has a hole: 255 is opaque. 0: it has none.
+    /// Where alpha is below this, the triangle has a hole; 255 is opaque. 0: the triangle has no holes.
     std::uint32_t cutoff = 0;
     template <class V> void fields(V& v, const Config& c) {
         v("s", s, coordinate_bits, 3);
@@ -174,7 +173,7 @@ struct Surface {
         v("leave", leave, ratio_bits);
     }
     /// Returns this surface with the material of another, which has no texture. Fields that only planes have
-    /// stay.
+    /// do not change.
     Surface with_material(const Surface& o) const {
         Surface s = *this;
         s.record = 0;

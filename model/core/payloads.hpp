@@ -296,7 +296,7 @@ inline bool same_answer(const Closest& a, const Closest& b) {
 struct TexReq {
     std::uint32_t ray = 0;
     std::uint32_t record = 0;   ///< as in Surface
-    /// Length of the path from the eye to the hit, about: units of 2^-F lattice steps, saturated.
+    /// Approximate length of the path from the eye to the hit: units of 2^-F lattice steps, saturated.
     std::uint32_t path = 0;
     std::uint32_t cosine = 0;     ///< between view and normal, 0..1, unit_bits fraction bits
     std::uint32_t u = 0, v = 0;   ///< of the hit, as in Closest
@@ -315,7 +315,7 @@ struct TexReq {
 /// tex -> shade: the texture's colour at the hit, linear.
 struct TexRsp {
     std::uint32_t ray = 0;
-    std::uint32_t hole = 0;                  ///< 1: alpha is below the cut-off, and the ray goes on
+    std::uint32_t hole = 0;                  ///< 1: alpha is below the cut-off, and the ray continues
     std::array<std::uint32_t, 3> colour{};   ///< 0..1, share_bits fraction bits
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());

@@ -142,7 +142,7 @@ template <class See> void PayloadReplay::operator()(const Move& m, See&& see) {
             requested(m, Link::stream_miss) = m.addr;
             return emit(StreamMiss{m.id, m.addr});
         case Link::stream_fill: return emit(StreamFill{m.id, line(requested(m, Link::stream_miss))});
-        // A textured hit has one texture record and one line of texels, and run() has read both.
+        // A textured hit reads one texture record and one line of texels; run() has read both.
         case Link::tex_req: requested(m, Link::texel_req) = 0; return emit(shader(m).texture()->request);
         case Link::texel_req: {
             std::uint32_t& addr = requested(m, Link::texel_req);

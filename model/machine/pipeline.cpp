@@ -107,7 +107,7 @@ void Pipeline::clock_stream(const Moves& m, const SharedMoves& shared) {
 template <Pipeline::RayFeed feed, bool levels> Shade::Leave Pipeline::turn_of(std::uint32_t ray) {
     TraceCursor& cursor = rays_[ray];
     --cursor.head;
-    // The first pass of a surface has just ended, or with two levels the second.
+    // The first pass of a surface has just ended; with two levels it is the second pass.
     if (feed == RayFeed::textured && (*cursor.at & Trace::texture_flag) &&
         cursor.at[1] - cursor.head == 1 + levels)
         return Shade::Leave::texture;
@@ -137,7 +137,7 @@ template <Pipeline::RayFeed feed, bool levels> void Pipeline::clock_shade(const 
         TraceCursor& cursor = rays_[ray];
         ++cursor.at;
         if (feed == RayFeed::textured && (*cursor.at & Trace::record_flag))
-            cursor.at += 2;   // the two words of a texture lie before the surface's
+            cursor.at += 2;   // the two words of a texture precede the surface's word
         cursor.head = cursor.at[1];
         return *cursor.at;
     };

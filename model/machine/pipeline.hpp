@@ -262,7 +262,7 @@ private:
     Shade shade_;
     Tex tex_;
     Cache tex_cache_;
-    std::vector<bool> reads_texels_;   // [ray]: tex_cache's next answer for it has texels
+    std::vector<bool> reads_texels_;   // [ray]: tex_cache's next answer for it holds texels
     Merge raygen_link_;
     Sink sink_;
     std::vector<TraceCursor> rays_;

@@ -67,7 +67,7 @@ Scene flat_copy(const PlacedScene& scene);
 /// Appends the part's primitives moved by `place`, which must keep angles if there are spheres. A mirror
 /// image is turned inside out again; normals follow the inverse transpose. All primitives get `material`, or
 /// the part's own plus `material_base`. Both scenes must have normals or neither, unless `scene` is still
-/// empty. Where only one of them has texture coordinates, those of the other are 0. The caller appends
+/// empty. If only one of them has texture coordinates, the other gets coordinates of 0. The caller appends
 /// materials and textures. Throws UserError beyond 2^32 - 1 vertices.
 void append(Scene& scene, const Scene& part, const glm::dmat4& place, std::optional<std::uint32_t> material,
             std::uint32_t material_base);

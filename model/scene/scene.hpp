@@ -29,11 +29,11 @@ struct Material {
     glm::dvec3 other{0.2};
     /// Fresnel's term weights `mirror` and `transmit`, in the approximation of Schlick 1994.
     bool schlick = false;
-    /// Index into Scene::textures: the picture multiplies `colour` on triangles. On spheres and planes it is
-    /// not drawn; a loader gives them a material in the picture's average colour.
+    /// Index into Scene::textures: the picture multiplies `colour` on triangles. Spheres and planes do not
+    /// show it; a loader gives them a material with the picture's average colour.
     std::optional<std::uint32_t> texture{};
-    /// A triangle has a hole where its texture's alpha is less. 0: it has none. Only finished pictures show
-    /// holes, and shadows are those of whole triangles.
+    /// A triangle has a hole where its texture's alpha is below this. 0: no holes. Only finished pictures
+    /// show holes, and whole triangles cast shadows.
     double cutoff = 0;
 };
 
@@ -80,7 +80,7 @@ struct Scene {
     std::vector<glm::dvec3> vertices;
     std::vector<glm::dvec3> normals;   ///< unit vertex normals, or empty: flat shading everywhere
     std::vector<Triangle> triangles;
-    /// (s, t) of the corners of each triangle, or empty: no triangle has a texture.
+    /// (s, t) of the corners of each triangle. Empty if no triangle has a texture.
     std::vector<CornerCoordinates> coordinates;
     std::vector<Sphere> spheres;
     std::vector<Plane> planes;

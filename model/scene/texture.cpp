@@ -24,7 +24,8 @@ std::array<double, 256> all_codes() {
     return table;
 }
 
-/// Sums of weighted texels. The plain mean replaces the one by alpha where all texels are transparent.
+/// Sums of weighted texels. If all texels are transparent, the plain mean replaces the mean weighted by
+/// alpha.
 struct TexelSum {
     glm::dvec3 plain{0}, by_alpha{0};
     double weight = 0, alpha = 0;
@@ -75,7 +76,7 @@ TexelLevel halved(const TexelLevel& level) {
 
 bool is_power_of_two(int side) { return side > 0 && (side & (side - 1)) == 0; }
 
-/// Calls use(old texel, length of its overlap) for each old texel that a new one covers, along one side.
+/// Calls use(old texel, length of overlap) for each old texel that a new texel overlaps, along one side.
 /// Lengths are in units of 1 / (old side * new side).
 template <class Use> void each_overlap(int old_side, int new_side, int texel, const Use& use) {
     const std::int64_t begin = std::int64_t(texel) * old_side, end = begin + old_side;

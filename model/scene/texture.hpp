@@ -1,7 +1,7 @@
 #pragma once
 // Pictures on triangles: the texels with all their mip levels, and the texture unit's rules in double
-// precision. t counts down from the top row of the picture, as in glTF. Texel i of a level of width W covers
-// s from i / W to (i + 1) / W.
+// precision. t increases downwards from the top row of the picture, as in glTF. Texel i of a level of width W
+// covers s from i / W to (i + 1) / W.
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -16,8 +16,8 @@ namespace rayclock {
 
 struct Scene;
 
-/// The texel that a coordinate outside 0..1 means: that of s mod 1, that of a mirror image with period 2, or
-/// the one at the nearest edge.
+/// The texel for a coordinate outside 0..1: the texel at s mod 1, the texel of the mirrored picture (period
+/// 2), or the nearest texel at the edge.
 enum class Wrap : std::uint8_t { repeat, mirror, clamp };
 
 /// One level of a picture: texels row by row from the top. Red, green and blue are sRGB codes, alpha is
@@ -27,7 +27,7 @@ struct TexelLevel {
     std::vector<std::array<std::uint8_t, 4>> texels;
 };
 
-/// Level 0 is the picture. Each further level halves each side that is longer than 1, down to 1x1.
+/// Level 0 is the picture. Each level halves the sides of the level before, down to 1x1; a side of 1 stays 1.
 struct Pyramid {
     std::vector<TexelLevel> levels;
 };
@@ -37,7 +37,7 @@ struct Texture {
     std::string name;   ///< for messages
     std::shared_ptr<const Pyramid> pyramid;
     Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;
-    bool nearest = false;   ///< takes the texel under the point; otherwise interpolates four texels
+    bool nearest = false;   ///< true: the texel at the point; false: interpolates four texels
     bool mipmaps = true;    ///< without them only level 0 is used
 };
 
@@ -54,35 +54,35 @@ double srgb_to_linear(std::uint8_t code);
 /// Returns the nearest sRGB code of linear light, which is clamped to 0..1.
 std::uint8_t linear_to_srgb(double linear);
 
-/// Returns all levels of a picture whose sides are powers of two. A texel of a level is the mean of the 2x2,
-/// 2x1 or 1x2 texels of the level before, in linear light, rounded to the nearest code. Where alphas differ,
-/// they weight the colours. Alpha is the plain mean, rounded half up.
+/// Returns all levels of a picture whose sides are powers of two. A texel is the mean of 2x2, 2x1 or 1x2
+/// texels of the level before, in linear light, rounded to the nearest code. If the alphas differ, they
+/// weight the colours. Alpha is the plain mean, rounded half up.
 Pyramid make_pyramid(TexelLevel level0);
 
-/// Returns the power of two that is nearest to a side in the logarithm, at most most_texture_side.
+/// Returns the power of two whose logarithm is nearest to the logarithm of a side, at most most_texture_side.
 int texture_side(int side);
-/// Returns the picture with sides of texture_side(). A new texel is the mean over its area of the old picture
-/// in linear light. Alpha weights the colours. A picture whose sides fit already stays as it is.
+/// Returns the picture with sides of texture_side(). A new texel is the mean of the old picture over the new
+/// texel's area, in linear light. Alpha weights the colours. If the sides already fit, the picture does not
+/// change.
 TexelLevel resampled(const TexelLevel& picture);
 
-/// Returns the coordinates shifted by whole periods of the wrap modes, so that the middle of their range lies
-/// in the first period: 0..1 for `repeat`, 0..2 for `mirror`. `clamp` has no period.
+/// Returns the coordinates shifted by whole periods of the wrap modes. The middle of their range then lies in
+/// the first period: 0..1 for `repeat`, 0..2 for `mirror`. `clamp` has no period.
 CornerCoordinates near_zero(const Texture& texture, CornerCoordinates corners);
 
-/// Returns the colour at a point in linear light: the nearest texel, or the bilinear mean at
-/// (s W - 1/2, t H - 1/2), whose neighbours are wrapped. The level is clamped to the pyramid; without mipmaps
-/// it is 0.
+/// Returns the colour at a point in linear light: the nearest texel, or with wrapped neighbours the bilinear
+/// mean at (s W - 1/2, t H - 1/2). The level is clamped to the pyramid; without mipmaps it is 0.
 glm::dvec3 filtered(const Texture& texture, glm::dvec2 st, int level);
 /// The same with alpha, 0..1, as the fourth component.
 glm::dvec4 filtered_with_alpha(const Texture& texture, glm::dvec2 st, int level);
 /// Returns the mean of all texels of level 0 in linear light.
 glm::dvec3 average_of(const Texture& texture);
 
-/// The share of the exact foreshortening, log2(1 / cosine), by which a slanted surface is drawn coarser. 1
-/// filters along the long axis of a pixel's footprint, 0 along the short one. Of 0, 0.5
-/// and 1, 0.5 has the highest PSNR on the scene `room` against 64 samples in a pixel.
+/// The share of the foreshortening, log2(1 / cosine), in the level of a slanted surface. 1 filters for the
+/// long axis of a pixel's footprint, 0 for the short axis. Of 0, 0.5 and 1, 0.5 has the highest PSNR on the
+/// scene `room` against 64 samples per pixel.
 constexpr double foreshortening_share = 0.5;
-/// The smallest cosine that counts.
+/// The lower bound of the cosine; smaller cosines count as this one.
 constexpr double least_cosine = 0x1p-16;
 
 /// Returns log2 of the texels of level 0 per scene unit: log2 sqrt(area in texels / area in the scene).
@@ -96,9 +96,9 @@ double texture_detail(const Scene& scene, std::uint32_t triangle);
 /// side.
 double sample_spread(double fov_degrees, int picture_height, int samples_per_side);
 /// Returns the level of detail, not yet rounded. `distance` is the length of the path from the eye in scene
-/// units. `cosine` is that between the ray and the shading normal; its sign does not count.
+/// units. `cosine`: the cosine of the angle between the ray and the shading normal; its sign does not matter.
 double level_of_detail(double detail, double distance, double spread, double cosine);
-/// Returns the level that is drawn: the nearest to `lod` that exists.
+/// Returns the level to draw: the existing level nearest to `lod`.
 int level_of(const Texture& texture, double lod);
 
 }   // namespace rayclock

@@ -20,11 +20,11 @@ module rc_tex_cache (
   output rc_pkg::tex_miss_t  miss_o,
   input  logic               fill_fires_i,
   input  rc_pkg::tex_fill_t  fill_i,
-  // Whether lines are in flight, and what the cache did: rc_pkg::cache_outcome_e
+  // Whether lines are in flight, and the cache's outcome: rc_pkg::cache_outcome_e
   output logic               waits_o,
   output logic [rc_pkg::CauseBits-1:0] outcome_o
 );
-  logic                       next_fires;   // unused: tex reads no memory by the next answer
+  logic                       next_fires;   // unused: tex needs no early id
   logic [rc_pkg::RayBits-1:0] next_ray;
 
   rc_cache #(

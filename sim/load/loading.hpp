@@ -38,7 +38,8 @@ using DecodePicture = std::function<TexelLevel(const std::string& bytes)>;
 /// Progress, allowance and notes of one load. Not safe to share between threads.
 class Loading {
 public:
-    /// The caller must keep `progress` alive. Without `decode`, textures are drawn in their average colour.
+    /// The caller must keep `progress` alive. Without `decode`, the load draws textures in their average
+    /// colour.
     explicit Loading(const Progress& progress, Allowance allowance = {}, AverageColour average = {},
                      DecodePicture decode = {})
         : progress_(progress),

@@ -111,7 +111,7 @@ void PartBuilder::add(const Corner& a, const Corner& b, const Corner& c, std::ui
     part_.triangles.push_back(triangle);
 }
 
-/// Keeps coordinates from the first triangle on that has some.
+/// Stores coordinates, starting with the first triangle that has them.
 void PartBuilder::add_coordinates(const CornerCoordinates& corners) {
     const bool has_some =
         std::any_of(corners.begin(), corners.end(), [](const glm::dvec2& st) { return !std::isnan(st.x); });

@@ -75,7 +75,8 @@ private:
     std::vector<std::uint32_t> table_;   ///< open addressing; size a power of two, at most two thirds full
 };
 
-/// Calls append(). Where only one of both has texture coordinates, those of the other become no_coordinates.
+/// Calls append(). If only one of them has texture coordinates, the coordinates of the other become
+/// no_coordinates.
 void append_part(Scene& scene, const Scene& part, const glm::dmat4& place,
                  std::optional<std::uint32_t> material, std::uint32_t material_base);
 

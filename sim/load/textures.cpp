@@ -1,4 +1,4 @@
-// Decoding pictures, and settling which primitives show them.
+// Decodes pictures, and determines which primitives show them.
 #include "sim/load/textures.hpp"
 
 #include <algorithm>
@@ -121,8 +121,8 @@ private:
                std::all_of(mesh.coordinates.begin(), mesh.coordinates.end(), has_coordinates);
     }
 
-    /// `given`: textured materials that instances give all triangles. `keeps_own`: some place shows the
-    /// triangles' own materials.
+    /// `given`: textured materials that instances apply to all triangles. `keeps_own`: some instance shows
+    /// the triangles' own materials.
     template <class Mesh> void settle(Mesh& mesh, const std::vector<std::uint32_t>& given, bool keeps_own,
                                       const std::string& name) {
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -139,7 +139,8 @@ private:
         }
     }
 
-    /// Shifts by periods of all textures that the triangle shows. A period of `mirror` is one of `repeat`.
+    /// Shifts by common periods of all textures that the triangle shows. A period of `mirror` is one of
+    /// `repeat`.
     void shift(CornerCoordinates& corners, const std::vector<std::uint32_t>& shown, const std::string& name) {
         shows_any_ = true;
         Texture coarsest = texture_of(shown.front());
@@ -153,8 +154,8 @@ private:
         corners = near_zero(coarsest, corners);
     }
 
-    /// Gives an instance whose own material has a texture a mesh of its own, because a machine of two levels
-    /// finds textures by meshes. Instances with the same mesh and material share the copy.
+    /// If an instance's own material has a texture, gives the instance a copy of its mesh: with two levels,
+    /// the texture records belong to meshes. Instances with the same mesh and material share the copy.
     void copy_painted_meshes() {
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> copies;
         for (Instance& instance : scene_.instances) {
@@ -187,7 +188,7 @@ private:
         primitive.material = plain_.of(primitive.material);
     }
 
-    /// Gives meshes without coordinates some, because the flat scene has one entry per triangle.
+    /// Fills in coordinates for meshes without them, because the flat scene has one entry per triangle.
     void fill_gaps() {
         scene_.own.coordinates.resize(scene_.own.triangles.size());
         for (SharedMesh& mesh : scene_.meshes) mesh.coordinates.resize(mesh.triangles.size());

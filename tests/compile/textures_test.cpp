@@ -1,4 +1,4 @@
-// Textures in memory images: every texel is where unit tex looks for it, and records hold the scene's
+// Textures in memory images: every texel is at the address that unit tex reads, and records hold the scene's
 // numbers.
 #include <catch2/catch.hpp>
 
@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::array wraps{Wrap::repeat, Wrap::mirror, Wrap::clamp};
 
-/// Returns a pyramid of random texels. Levels have nothing in common, so a wrong level shows.
+/// Returns a pyramid of random texels. The levels are unrelated, so a test notices a wrong level.
 std::shared_ptr<const Pyramid> random_pyramid(Draw& draw, int width, int height) {
     Pyramid pyramid;
     for (;;) {
@@ -58,7 +58,7 @@ std::vector<std::uint32_t> written(const Scene& scene, const Config& config, Mem
     return write_textures(scene, image.lattice, config, "test", known, image);
 }
 
-/// An image that already holds some lines, so that none of a texture's is line 0.
+/// An image that already holds some lines, so that no texture starts at line 0.
 MemoryImage some_image() {
     MemoryImage image;
     image.words.resize(5 * words_per_line, 0xdeadbeef);
@@ -82,8 +82,8 @@ Line line_of(const MemoryImage& image, std::uint32_t number) {
     return line;
 }
 
-/// Requires that texel (x, y) of a level is where texel_place() says, with its neighbours to the right and
-/// below.
+/// Requires that texel (x, y) of a level is at the place from texel_place(), with its neighbours to the right
+/// and below.
 void check_texel(const MemoryImage& image, const Texture& texture, TexRecord record, const Config& config,
                  int level, int x, int y) {
     const TexelLevel& picture = texture.pyramid->levels[std::size_t(level)];
@@ -136,7 +136,7 @@ const std::vector<std::pair<int, int>> sizes{
 
 }   // namespace
 
-TEST_CASE("every texel of every level is where its hit looks for it", "[textures]") {
+TEST_CASE("every texel of every level is at the address that its hit reads", "[textures]") {
     const TexelFormat format = GENERATE(TexelFormat::rgb888, TexelFormat::rgb565);
     Config config = tex_config("rgb888");
     config.texels = format;
@@ -169,7 +169,7 @@ TEST_CASE("every texel of every level is where its hit looks for it", "[textures
     }
 }
 
-TEST_CASE("a texture of 4096 x 4096 texels is where its hits look for it", "[textures]") {
+TEST_CASE("a texture of 4096 x 4096 texels is at the addresses that its hits read", "[textures]") {
     Config config = tex_config("rgb888");
     Draw draw{8};
     Scene scene;
@@ -209,13 +209,13 @@ TEST_CASE("levels of a texture do not overlap, and end where the texture does", 
             std::ranges::sort(lines);
             for (std::size_t i = 1; i < lines.size(); ++i) REQUIRE(lines[i - 1].second <= lines[i].first);
             REQUIRE(texture_lines(record, format) == lines.back().second);
-            // A texture takes at most half as many lines again as its first level, and three.
+            // A texture takes at most 1.5 times the lines of its first level, plus three.
             const std::uint32_t all = lines.back().second, level_0 = lines[0].second;
             REQUIRE(all <= 2 * level_0 + 3);
         }
 }
 
-TEST_CASE("textures with the same picture and wrap modes share texels, others do not", "[textures]") {
+TEST_CASE("textures share texels exactly if their picture and wrap modes are the same", "[textures]") {
     const Config config = tex_config("rgb888");
     Draw draw{9};
     Scene scene;

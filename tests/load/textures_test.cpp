@@ -1,5 +1,5 @@
-// Textures from files: coordinates through OBJ, glTF and JSON, samplers, transforms, pictures that are
-// missing or wrong, and --no-textures.
+// Textures from files: coordinates in OBJ, glTF and JSON, samplers, transforms, missing or invalid pictures,
+// and --no-textures.
 #include <cmath>
 #include <cstring>
 
@@ -145,7 +145,7 @@ std::string png_chunk(const std::string& kind, const std::string& data) {
     return raw(std::uint32_t(data.size()), true) + sealed + raw(sum, true);
 }
 
-/// A PNG file. `rows` holds each row behind its filter byte 0. `others` are chunks before the pixels.
+/// A PNG file. `rows` holds the rows, each after its filter byte 0. `others` are chunks before the pixels.
 std::string png_of(std::uint32_t width, std::uint32_t height, int depth, int colour_type,
                    const std::string& rows, const std::string& others = {}) {
     uLongf size = compressBound(uLong(rows.size()));

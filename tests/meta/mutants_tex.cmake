@@ -311,7 +311,7 @@ mutant(tex_cutoff_of_the_hit_before FILE ${tex_filter} TEST unit ${tex_rtl_case}
   NEW [[.Width(8), .Stages(3)) u_cutoff (
     .clk_i, .enable_i({valid_q[2:1], valid_q[1]})]])
 
-# ---- The RTL of the unit: state that belongs to another hit, and back-pressure.
+# ---- The RTL of the unit: state of the wrong hit, and back-pressure.
 set(tex_unit rtl/unit/tex/rc_tex.sv)
 mutant(tex_record_taken_for_texels FILE ${tex_unit} TEST unit ${tex_rtl_case}
   OLD [[reads_texels_q[req_i.ray] <= 1'b0;]]

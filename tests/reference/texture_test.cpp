@@ -14,8 +14,8 @@ using namespace rayclock;
 
 namespace {
 
-/// A wall of 2^n x 2^n units in the plane z = 0, which shows a picture of one texel per unit. Level i of the
-/// picture has the grey i of `greys`, so the colour tells the level.
+/// A wall of 2^n x 2^n units in the plane z = 0. Its picture has one texel per unit. Level i of the picture
+/// has the grey greys[i], so the colour identifies the level.
 struct PaintedWall {
     static constexpr int side = 64;
     static constexpr std::array<std::uint8_t, 7> greys{250, 210, 170, 130, 90, 50, 10};
@@ -37,7 +37,7 @@ struct PaintedWall {
         for (Triangle& triangle : scene.triangles) triangle.material = 0;
     }
 
-    /// Sees the wall straight, a little beside its middle. A pixel is one unit wide at the distance 1.
+    /// Looks straight at the wall, slightly off its centre. A pixel is one unit wide at the distance 1.
     void look_from(double distance) { scene.camera = Camera{{3, 1, distance}, {3, 1, 0}, {0, 1, 0}, 90}; }
 
     glm::dvec3 colour(int level) const {
@@ -61,7 +61,7 @@ TEST_CASE("the level follows from the distance, in the reference and in host sha
         CAPTURE(distance);
         wall.look_from(distance);
         const Reference reference(wall.scene);
-        // The middle of the picture lies between the pixels, so the rays are a little longer and slanted.
+        // The centre of the picture lies between pixels, so the rays are slightly longer and slanted.
         const double slant = std::sqrt(1.5),
                      lod = std::log2(distance * slant) + foreshortening_share * std::log2(slant);
         const int wanted = int(std::floor(lod + 0.5));

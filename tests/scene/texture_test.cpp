@@ -69,10 +69,10 @@ TEST_CASE("A mip level is the mean in linear light, and alpha weights colours wh
     const Pyramid opaque = make_pyramid({2, 2, {grey(0), grey(255), grey(255), grey(0)}});
     REQUIRE(opaque.levels.size() == 2);
     CHECK(opaque.levels[1].texels == std::vector<Texel>{grey(188)});
-    // Transparent texels do not count. The alphas 0, 0, 255, 0 have the mean 63.75.
+    // Transparent texels have weight 0. The alphas 0, 0, 255, 0 have the mean 63.75.
     const Pyramid holes = make_pyramid({2, 2, {grey(0, 0), grey(9, 0), grey(255, 255), grey(77, 0)}});
     CHECK(holes.levels[1].texels == std::vector<Texel>{grey(255, 64)});
-    // Without any alpha the plain mean remains. 1 of 2 rounds half up: 0.5 to 1.
+    // If all alphas are 0, the plain mean remains. The mean of 0 and 1, 0.5, rounds up to 1.
     const Pyramid none = make_pyramid({2, 1, {grey(0, 0), grey(255, 0)}});
     CHECK(none.levels[1].texels == std::vector<Texel>{grey(188, 0)});
     const Pyramid half = make_pyramid({2, 1, {grey(50, 0), grey(50, 1)}});

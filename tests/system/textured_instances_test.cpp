@@ -45,8 +45,7 @@ Trace check_picture(const Scene& scene, FrameSize size, const Whitted& settings,
     return std::move(made.trace);
 }
 
-/// Returns a chip of two levels. `fast` has the paths of a fast chip, a pass every eight cycles and short
-/// texels.
+/// Returns a chip with two levels. `fast` has fast timing, a pass every eight cycles and short texels.
 Config chip(const Scene& scene, const Whitted& settings, bool is_fast) {
     Config c = named_config(is_fast ? "ulx3s-shaded" : "default");
     c.levels = 2, c.contexts = 16, c.stack_depth = 64;
@@ -72,7 +71,7 @@ TEST_CASE("the RTL that draws textured instances builds", "[.build]") {
     REQUIRE_NOTHROW(build_all(jobs));
 }
 
-TEST_CASE("textured instances are right, whatever their map, with one level and with two",
+TEST_CASE("textured instances are right under every kind of map, with one level and with two",
           "[textures][levels][map]") {
     const TexturedCubes cubes;
     const bool has_holes = GENERATE(false, true);
@@ -84,7 +83,7 @@ TEST_CASE("textured instances are right, whatever their map, with one level and 
         INFO((has_holes ? "with holes, levels " : "levels ") << levels);
         traces.push_back(check_picture(scene, {64, 48}, settings, fitted(scene, settings, levels, texels)));
     }
-    // Both show the same scene. Their lattices differ, so a few hits and levels of textures may.
+    // Both pictures show the same scene. Their lattices differ, so a few hits and texture levels may differ.
     std::size_t far_apart = 0;
     for (std::size_t i = 0; i < traces[0].colours.size(); ++i)
         for (std::size_t k = 0; k < 3; ++k)
@@ -93,14 +92,14 @@ TEST_CASE("textured instances are right, whatever their map, with one level and 
     CHECK(far_apart < traces[0].colours.size() / 50);
 }
 
-TEST_CASE("a texture with holes shows what is behind it", "[textures][levels]") {
+TEST_CASE("surfaces behind a texture are visible through its holes", "[textures][levels]") {
     const TexturedCubes cubes;
     Scene scene = load_scene(cubes.still(true));
     const int levels = GENERATE(1, 2);
     const Config config = fitted(scene, one_bounce, levels, TexelFormat::rgb888);
     const Job job = make_job(scene, *scene.camera, {48, 36}, config, {}, one_bounce);
     const RecordedFrame made = record_frame(job, job.frame);
-    // A ray through a hole is sent as a bounce, though no material mirrors.
+    // The chip sends a ray through a hole as a bounce, although no material is a mirror.
     CHECK(made.trace.counts.refraction > 20);
     CHECK(made.trace.counts.reflection == 0);
 }

@@ -18,7 +18,7 @@ namespace {
 const std::vector<std::string> chips{"plain", "two", "fast", "interval"};
 
 /// Returns a chip that draws the scene `room`. `plain` has a pass in every cycle. `two` has short texels, two
-/// pipelines, a shared cache, a texture cache of few long lines, and several samples in a pixel. `fast` is
+/// pipelines, a shared cache, a texture cache with few long lines, and several samples per pixel. `fast` is
 /// the chip of the board: fast timing, a pass every eight cycles. `interval` has a pass every four cycles and
 /// one miss in flight.
 Config textured_chip(const std::string& name) {
@@ -79,7 +79,7 @@ TEST_CASE("model and RTL agree on a room with textures in every memory", "[textu
     }
 }
 
-TEST_CASE("each textured hit has one record and one line of texels", "[textures]") {
+TEST_CASE("each textured hit reads one record and one line of texels", "[textures]") {
     for (const std::string& chip : chips) {
         INFO(chip);
         const Job job = room(chip, 2);

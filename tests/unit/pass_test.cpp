@@ -202,8 +202,7 @@ void check(const char* name, unsigned first_seed, int frames, int count) {
     }
 }
 
-/// Draws a direction along an axis, a side's diagonal or the diagonal, of full length or shorter, or beside
-/// it.
+/// Draws a direction along or near an axis, a face diagonal or a space diagonal, of full length or shorter.
 Vec3i random_corner_direction(Draw& draw, const Config& c) {
     const std::int32_t most = (1 << (c.dir_bits - 1)) - 1, size = most >> draw.below(c.dir_bits);
     Vec3i d{};
@@ -258,7 +257,7 @@ TEST_CASE("the rtl's pass is the model's with textures and instances, if it stay
     check("textured:every8:fast:levels:all", 1, 4, 800);
 }
 
-TEST_CASE("the length of a path is that of its rays, rounded down and saturated", "[pass][textures]") {
+TEST_CASE("a path is as long as its rays together, rounded down and saturated", "[pass][textures]") {
     const Config c = shaded_format(GENERATE("textured:all", "textured:narrow", "textured:short"));
     Draw draw{17};
     int saturated = 0, longer = 0;
@@ -283,7 +282,7 @@ TEST_CASE("the length of a path is that of its rays, rounded down and saturated"
     CHECK((saturated > 300 && longer > 500));
 }
 
-TEST_CASE("the rtl's length of a path is exact, after three cycles, one in a cycle",
+TEST_CASE("the rtl computes the exact length of a path in three cycles, one path per cycle",
           "[pass][path][textures]") {
     const Config c = shaded_format("textured:all");
     RtlModule rtl(c, "rc_path_length");
@@ -376,7 +375,7 @@ TEST_CASE("a texture multiplies the albedo once, and ambient light comes after i
     CHECK((arrived > 300 && textured > 1000 && last > 100));
 }
 
-TEST_CASE("a ray goes on through a hole, in its own direction and with its own weight", "[pass][hole]") {
+TEST_CASE("a ray continues through a hole with the same direction and weight", "[pass][hole]") {
     const Config c = shaded_format(GENERATE("textured:plain", "textured:all", "textured:levels:all"));
     Draw draw{37};
     int first = 0, later = 0;
@@ -398,7 +397,7 @@ TEST_CASE("a ray goes on through a hole, in its own direction and with its own w
         REQUIRE(is.holes == was.holes + 1);
         REQUIRE((is.depth == was.depth && is.weight == was.weight && is.path == was.path));
         REQUIRE((is.cell == was.cell && is.waiting == was.waiting && is.sample == was.sample));
-        // What a light gave before counts, but the surface has no ambient light.
+        // Earlier contributions of lights remain, but the surface adds no ambient light.
         const bool adds = was.pending == std::uint32_t(Pending::sure) ||
                           (was.pending == std::uint32_t(Pending::answer) && !in.hit.found);
         for (std::size_t k = 0; k < 3; ++k)
@@ -417,7 +416,7 @@ TEST_CASE("a ray goes on through a hole, in its own direction and with its own w
     CHECK((first > 3000 && later > 3000));
 }
 
-TEST_CASE("holes are counted from a bounce, a waiting ray or a sample on", "[pass][hole]") {
+TEST_CASE("a bounce, a waiting ray and a sample each restart the count of holes", "[pass][hole]") {
     const Config c = shaded_format(GENERATE("textured:all", "textured:levels:all"));
     Draw draw{47};
     int reflected = 0, popped = 0, samples = 0, kept = 0;

@@ -115,7 +115,7 @@ TEST_CASE("model and rtl of shade make the same moves in every cycle, for long",
     check(format, 1, 2, 40000);
 }
 
-// The ray meets textured triangles only. Each has a hole.
+// The ray hits only textured triangles. Each has a hole at the hit.
 TEMPLATE_TEST_CASE("a ray goes through 63 holes, and the next texture is drawn", "[shade][hole]", ShadeModel,
                    ShadeRtl) {
     const Config c = shape("textured:all", 64, 64);
@@ -133,7 +133,7 @@ TEMPLATE_TEST_CASE("a ray goes through 63 holes, and the next texture is drawn",
             still(dut);
             if (offer) return *offer;
         }
-        FAIL("nothing comes");
+        FAIL("no link fires");
         return *link.offer;
     };
     dut.slot = Slot{5, 7, 9};

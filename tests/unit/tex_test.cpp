@@ -1,5 +1,5 @@
-// tex: the address of a hit's texels, and their colour. Judges model and RTL by exact integers in every
-// cycle, and compares them.
+// tex: the address of a hit's texels, and their colour. Compares model and RTL with exact integer rules in
+// every cycle, and with each other.
 #include <catch2/catch.hpp>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -112,7 +112,7 @@ TEST_CASE("the fractions of a logarithm are rounded to nearest, and none lies ne
     }
 }
 
-TEST_CASE("a logarithm is that of the middle of its part, within its bound of the exact one", "[tex][log]") {
+TEST_CASE("a part's numbers share the logarithm of its middle, within its bound", "[tex][log]") {
     double low = 0, high = 0;
     const auto judge = [&](std::uint32_t x) {
         const auto log = log_of(x);
@@ -130,7 +130,7 @@ TEST_CASE("a logarithm is that of the middle of its part, within its bound of th
     CHECK((low < -0.02 && high > 0.02));
 }
 
-TEST_CASE("the rtl's logarithm is that of the middle of its part", "[tex][log][rtl]") {
+TEST_CASE("in the rtl all numbers of a part have the logarithm of its middle", "[tex][log][rtl]") {
     RtlModule rtl(tex_config("rgb888"), "rc_log");
     for (std::uint32_t x = 0; x < 1u << 16; ++x) {
         std::memcpy(rtl.port("x").data, &x, rtl.port("x").bytes);
@@ -141,7 +141,7 @@ TEST_CASE("the rtl's logarithm is that of the middle of its part", "[tex][log][r
     }
 }
 
-TEST_CASE("an intensity is the nearest to that of its sRGB code, and no code lies near a tie",
+TEST_CASE("an intensity is the nearest number to its sRGB code's light, and no code lies near a tie",
           "[tex][srgb]") {
     for (std::uint32_t code = 0; code < 256; ++code) {
         const long double exact = linear_of(code) * (1 << share_bits);
@@ -167,8 +167,7 @@ TEST_CASE("a level lies within its bound of the exact logarithm", "[tex][level]"
                              std::log2(std::max(hit.path, 1u)) +
                              (unit_bits - std::log2(std::max(hit.cosine, 1u))) / 2;
         const auto level = double(level_of(hit, record, spread));
-        // Each logarithm has an error of at most 0.031, and half the second one counts. Then half of it is
-        // rounded down to 1/64.
+        // Each logarithm errs by at most 0.031. The second one is halved, and then rounded down to 1/64.
         constexpr double most_above = 0.031 * 1.5, most_below = 0.031 * 1.5 + 1.0 / 64;
         const double last = record.last_level, error = level - exact;
         if (level > 0 && error > 0.5 + most_above) FAIL("level " << level << " for " << exact);
@@ -183,7 +182,7 @@ TEST_CASE("a level lies within its bound of the exact logarithm", "[tex][level]"
     CHECK((low < -0.52 && high > 0.52));   // the draws come near the bounds
 }
 
-TEST_CASE("a cosine of 1 adds nothing to the level, although its logarithm is above that of 1",
+TEST_CASE("a cosine of 1 adds nothing to the level, although its table entry is above log2(1)",
           "[tex][level]") {
     const std::uint32_t one = 1u << unit_bits;
     CHECK(log_of(one) > std::uint32_t(unit_bits << level_frac));
@@ -221,7 +220,7 @@ TEST_CASE("an instance's scale counts as the density does", "[tex][level]") {
         aim_level(draw, hit, record, spread);
         const std::uint32_t level = level_of(hit, record, spread);
         REQUIRE(int(level) == wanted_level(hit, record, spread));
-        // Moved from one to the other, it gives the same level.
+        // Moving a number from one to the other does not change the level.
         const std::int32_t scale = std::exchange(hit.scale, 0);
         record.density += scale;
         REQUIRE(level_of(hit, record, spread) == level);
@@ -241,7 +240,7 @@ Line with_alphas(const std::array<std::uint32_t, 4>& alphas, TexelFormat format)
     return line;
 }
 
-/// A line whose alphas lie at a cut-off or beside it.
+/// A line whose alphas lie at a cut-off or next to it.
 struct HoleCase {
     std::uint32_t cutoff;
     std::array<std::uint32_t, 4> alphas;   ///< 8 bits, or 1 bit

@@ -1,7 +1,6 @@
-// A room of pictures: a tiled floor as far as the eye reaches, a papered wall, a framed picture over a
-// frieze, a box in large pixels, a plant whose picture has holes, and a mirror that shows all of them. Its
-// textures cover every mode of wrapping and filtering. The pictures come from formulas. Everything is flat:
-// there are no normals.
+// A textured room: a tiled floor that extends far into the distance, a wall with wallpaper, a framed picture
+// above a frieze, a box with large pixels, a plant with holes, and a mirror that reflects them. Its textures
+// cover every wrap mode and filter. Formulas generate the pictures. The meshes have no vertex normals.
 #include "model/scene/generate/generate.hpp"
 
 #include <array>
@@ -16,7 +15,7 @@ namespace {
 
 using Colour = std::array<std::uint8_t, 3>;
 
-/// Returns a texture with the sRGB colours of paint(x, y), which is opaque where is_there(x, y).
+/// Returns a texture with the sRGB colours of paint(x, y). It is opaque where is_there(x, y) holds.
 template <class Paint, class IsThere>
 Texture painted(const char* name, int width, int height, const Paint& paint, const IsThere& is_there) {
     TexelLevel picture{width, height, {}};
@@ -37,10 +36,10 @@ std::uint8_t code(double value) { return std::uint8_t(std::lround(std::fmin(std:
 Colour shaded(const Colour& colour, double factor) {
     return {code(colour[0] * factor), code(colour[1] * factor), code(colour[2] * factor)};
 }
-/// Returns a number around 1, the same for each texel everywhere.
+/// Returns a brightness factor around 1 that depends only on the texel.
 double grain(int x, int y, double depth) { return 1 + depth * (chance(std::uint32_t(1000 * y + x)) - 0.5); }
 
-/// Four by four tiles in two colours, each of its own shade, with light joints.
+/// Four by four tiles in two colours, each with its own shade, and light joints.
 Texture tiles() {
     return painted("tiles", 256, 256, [](int x, int y) -> Colour {
         if (x % 64 < 3 || y % 64 < 3) return shaded({200, 196, 186}, grain(x, y, 0.1));
@@ -50,7 +49,7 @@ Texture tiles() {
     });
 }
 
-/// Wallpaper: waves that meet their mirror images, with a bud in one corner.
+/// Wallpaper: waves that continue smoothly into their mirror images, with a bud in one corner.
 Texture paper() {
     return painted("paper", 128, 128, [](int x, int y) -> Colour {
         const double wave = std::sin(0.098 * x + 2 * std::sin(0.049 * y));
@@ -60,7 +59,7 @@ Texture paper() {
     });
 }
 
-/// A landscape: sky, sun, two hills and a border of four colours, which clamping repeats outwards.
+/// A landscape: sky, sun, two hills and a border of four colours. The clamp mode extends the border outwards.
 Texture landscape() {
     return painted("landscape", 256, 256, [](int x, int y) -> Colour {
         if (x < 3) return {170, 40, 40};
@@ -98,7 +97,7 @@ Texture frieze() {
     });
 }
 
-/// A fern: nine fronds from the middle of the lower edge, with holes between their leaves.
+/// A fern: nine fronds that start at the middle of the lower edge, with holes between their leaves.
 Texture fern() {
     const auto is_there = [](int x, int y) {
         const double along = 127 - y, across = x - 63.5, angle = std::atan2(across, along),
@@ -117,7 +116,7 @@ Texture fern() {
         is_there);
 }
 
-/// A rectangle of coordinates: s from `left` to `right`, t from `top` to `bottom`.
+/// A rectangle of texture coordinates: s from `left` to `right`, t from `top` to `bottom`.
 struct Extract {
     double left = 0, top = 0, right = 1, bottom = 1;
 };
@@ -136,7 +135,7 @@ public:
         mesh_.material(material);
     }
 
-    /// Writes a rectangle with corners from the lower left anticlockwise, seen from outside.
+    /// Appends a rectangle. Seen from outside, its corners run anticlockwise from the lower left.
     void wall(const std::array<glm::dvec3, 4>& p, const Extract& e = {}) {
         mesh_.flat({p[0], p[1], p[2], p[3]});
         const glm::dvec2 a{e.left, e.bottom}, b{e.right, e.bottom}, c{e.right, e.top}, d{e.left, e.top};
@@ -144,7 +143,8 @@ public:
         scene_.coordinates.push_back({a, c, d});
     }
 
-    /// Writes four sides and the top over a foot, which is anticlockwise seen from above.
+    /// Appends the four sides and the top of a block over its footprint, which is anticlockwise seen from
+    /// above.
     void block(const std::array<glm::dvec3, 4>& foot, double height) {
         std::array<glm::dvec3, 4> head = foot;
         for (glm::dvec3& corner : head) corner.y += height;
@@ -160,7 +160,7 @@ private:
     MeshWriter mesh_;
 };
 
-/// Returns the foot of a block around a point, turned about the vertical.
+/// Returns the footprint of a block around a point, rotated about the vertical.
 std::array<glm::dvec3, 4> foot(const glm::dvec3& middle, double width, double depth, double radians) {
     const glm::dvec3 x = 0.5 * width * glm::dvec3(std::cos(radians), 0, -std::sin(radians)),
                      z = 0.5 * depth * glm::dvec3(std::sin(radians), 0, std::cos(radians));

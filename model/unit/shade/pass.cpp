@@ -206,8 +206,8 @@ void send_reflected(const PassIn& in, const Frame& frame, const Config& c, PassO
     send_bounce(in, bounced(s, *start, found, false), out);
 }
 
-/// Handles a texture's colour. Where the texture has a hole, the ray goes on from the point in the triangle,
-/// in its own direction (docs/proofs/origins.md, Holes).
+/// Handles a texture's colour. If the texture has a hole, the ray continues from the hit point in the same
+/// direction (docs/proofs/origins.md, Holes).
 void show_texture(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
     const Colour ambient = apply_texture(in.texel, s);

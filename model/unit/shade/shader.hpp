@@ -18,7 +18,7 @@ public:
     virtual void sent(const Ray& ray) = 0;
     virtual void answered(const Closest& hit) = 0;
     virtual void passed(const PassIn& in, const PassOut& out) = 0;
-    /// A texture's colour has come.
+    /// Handles the arrival of a texture's colour.
     virtual void filtered(const TexReq&, const TexRecord&, const TexelPlace&, const TexRsp&) {}
 };
 
@@ -81,14 +81,14 @@ public:
     int run();
     bool is_finished() const { return out_.leave == PassOut::Leave::pixel; }
     const Spawn& spawn() const { return out_.spawn; }
-    /// The texture of the last answer's surface, for callers that see its requests one by one.
+    /// The texture of the last answer's surface, for callers that process its requests one by one.
     struct Texture {
         TexReq request;
         TexRecord record;
         TexelPlace place;
         TexRsp answer;
     };
-    /// Returns the texture that the last run() has read; null if it read none.
+    /// Returns the texture that the last run() read; null if it read none.
     const Texture* texture() const { return texture_ ? &*texture_ : nullptr; }
     /// Returns the purpose of that ray.
     RayPurpose purpose() const;

@@ -12,7 +12,7 @@ enum class ShadeEvent : std::uint32_t {
     reflect,
     pop,         ///< the next waiting ray, or the sample's end
     transform,   ///< with two levels, after arrive: maps the surface from the mesh's space to the scene's
-    texture,     ///< after these, on a triangle with a texture: its colour has come
+    texture,     ///< after these, on a textured triangle: its colour has arrived
 };
 
 /// When the next pass adds the contribution of a light at its beginning.
@@ -33,7 +33,7 @@ struct ShadeState {
     std::uint32_t cell = 0;     ///< a bit for each pane, set if it lies between the ray and the eye
     std::uint32_t across = 0;   ///< the cell on the other side of the surface that was hit
     std::uint32_t path = 0;     ///< with textures: length of the path so far, as in TexReq
-    std::uint32_t holes = 0;    ///< with textures: that the ray has gone through; at most most_holes
+    std::uint32_t holes = 0;    ///< with textures: number that the ray has passed; at most most_holes
     // The surface that was hit.
     Vec3l o{};       ///< B fraction bits: a point exactly on it (nearly on it for a sphere or an instance)
     Vec3l inner{};   ///< with two levels: a point exactly on it in the mesh's space, B fraction bits

@@ -16,9 +16,9 @@ namespace rayclock {
 std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& config, ShadeState& state);
 
 /// Returns the length of the path to the hit: path + t |d|, rounded down, as in TexReq. |d| counts as its
-/// largest component plus 3/8 of the second and 5/16 of the smallest, and as 1 for 2^(M-1). Its logarithm is
-/// between 0.041 too small and 0.155 too large. ShadeFrame::spread is smaller by the middle, length_bias.
-/// Mirror of rtl/unit/shade/rc_path_length.sv.
+/// largest component plus 3/8 of the second and 5/16 of the smallest, and as 1 for 2^(M-1). Its logarithm
+/// errs by -0.041 to 0.155. ShadeFrame::spread is smaller by the middle of this range, length_bias. Mirror of
+/// rtl/unit/shade/rc_path_length.sv.
 std::uint32_t path_to(const PassIn& in, const Config& config);
 
 /// Multiplies the albedo by a texture's colour, and returns the ambient contribution.

@@ -15,12 +15,12 @@ namespace rayclock {
 /// With two levels it requests the instance first. Once that has arrived, which is always accepted, it
 /// requests the surface. Requests for surfaces have priority over those for instances.
 ///
-/// A hit of a texture leaves for tex, and makes its next pass when the colour has come.
+/// A textured hit goes to tex, and makes its next pass when the colour has arrived.
 ///
-/// The pipeline accepts surfaces first, then contexts that need another pass, then those whose texture has
-/// come, then those whose ray hit nothing or was a shadow ray. Its answers are always accepted: a context
-/// continues with its next ray, its pixel's end, or another pass. In a fast chip the unit sees a ray's answer
-/// two cycles after its arrival. Mirror of rtl/unit/shade/rc_shade.sv.
+/// The pipeline accepts surfaces first, then contexts that need another pass, then contexts whose texture
+/// colour has arrived, then contexts whose ray hit nothing or was a shadow ray. Its answers are always
+/// accepted: a context continues with its next ray, its pixel's end, or another pass. In a fast chip the unit
+/// sees a ray's answer two cycles after its arrival. Mirror of rtl/unit/shade/rc_shade.sv.
 class Shade {
 public:
     enum class Leave : std::uint8_t { again, spawn, pixel, texture };
@@ -88,7 +88,7 @@ public:
     enum class Wants : std::uint8_t { nothing, surface, place };
     /// One clock edge. `closest`, `wants`: the ray whose answer arrived, and its need. `surface`, `place`:
     /// the rays whose surface and whose instance arrived. The last flags: these outputs were accepted.
-    /// `textured`: the ray whose texture's colour came; `texture_taken`: tex accepted a hit. `turn(ray)`
+    /// `textured`: the ray whose texture colour arrived; `texture_taken`: tex accepted a hit. `turn(ray)`
     /// returns the outcome of a pass.
     template <bool levels = false, bool textures = false, class Decide>
     void clock(std::uint64_t now, LinkRay closest, Wants wants, LinkRay surface, LinkRay place,
@@ -147,7 +147,7 @@ private:
     }
 
     RayRing fetch_, places_, arrived_, again_, spawns_, pixels_;
-    RayRing textures_, textured_;   // hits that wait for tex; those whose colour has come
+    RayRing textures_, textured_;   // hits that wait for tex; hits whose colour has arrived
     Pipe<RayNumber> pass_;
     Merge surf_link_;               // of fetch_ and places_
     std::size_t closest_delay_;     // cycles until an answer is seen

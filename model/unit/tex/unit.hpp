@@ -14,13 +14,13 @@ public:
           address_(config.tex_address_latency() - 1, config.contexts),
           filter_(config.tex_filter_latency() - 1, config.contexts) {}
 
-    /// True if it requests texels and not the record of the hit that shade offers.
+    /// True if the unit requests texels, false if it requests the record of the hit that shade offers.
     bool requests_texels() const { return !link_.second(!texels_.empty()); }
     bool texels_wait() const { return !texels_.empty(); }
     std::uint32_t texel_ray() const { return texels_.front(); }
     /// Returns the colour that leaves in this cycle.
     LinkRay answer(std::uint64_t now) const { return filter_.answer(now); }
-    /// True if no hit waits for its texels or is about to.
+    /// True if no hit waits to request texels, and no address becomes ready in this cycle.
     bool is_idle(std::uint64_t now) const { return texels_.empty() & !address_.answer(now).valid; }
     std::uint64_t due(std::uint64_t now) const { return std::min(address_.due(now), filter_.due(now)); }
 

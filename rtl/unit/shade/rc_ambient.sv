@@ -1,7 +1,7 @@
-// The colour of a surface where it was hit, and the contribution of ambient light. On a surface
-// with a texture that is 0, until the texture's colour has come: its pass multiplies the colour.
-// Part of rc_surf, which has the valid bits. The colour is in the registers of s6, the light in
-// those of s7. Model: model/unit/shade/surf.hpp.
+// The colour of a surface at the hit, and the contribution of ambient light. On a textured surface
+// this contribution is 0 until the texture's colour arrives; the pass *texture* multiplies the
+// colour. Part of rc_surf, which has the valid bits. The registers of s6 hold the colour, and the
+// registers of s7 the light. Model: model/unit/shade/surf.hpp.
 `default_nettype none
 module rc_ambient #(
   localparam int unsigned ValueBits  = rc_pkg::ValueBits,

@@ -38,7 +38,7 @@ module rc_pass #(
   input  rc_pkg::waiting_t         top_i,
   // With two levels: the instance that was hit; line 0 if the ray is the same in it.
   input  rc_pkg::shade_place_t     place_i,
-  // With textures: what has come from tex, a hole or a colour
+  // With textures: the answer of tex, a hole or a colour
   input  logic [3*ColourBits:0]    texel_i,
   // To rc_contexts: the hit surface's material at the start of a pass, and the state at its end
   output logic                        material_valid_o,
@@ -276,10 +276,10 @@ module rc_pass #(
     .clk_i, .rst_ni, .enter_i(tone_at[7]), .leave_i(tone_at[Out]), .data_i(s7_ambient),
     .data_o(surf_ambient));
 
-  // ---- With textures: the length of the path, and u and v, which tex gets.
+  // ---- With textures: the inputs of tex: the length of the path, u and v.
   logic [TBits-1:0]  surf_path;
   logic [UvBits-1:0] face_u, face_v;
-  logic              end_hole;   // the texture has a hole: the ray goes on
+  logic              end_hole;   // the texture has a hole: the ray continues
   logic [3*M-1:0]    s15_old_d;  // in its direction
 
   if (rc_pkg::HasTextures == 1) begin : gen_path

@@ -19,7 +19,7 @@ module rc_pass_begin #(
   output logic                   refract_o,  // refracted, not reflected
   // a result of a mesh's space is transformed to the scene's
   output logic                   transform_o,
-  output logic                   texture_o,  // the colour of the surface's texture has come
+  output logic                   texture_o,  // the colour of the surface's texture has arrived
   output logic                   end_o,      // a waiting ray, or the end of the sample
   // State
   output logic [3*ValueBits-1:0] colour_o,   // including what was pending
@@ -30,7 +30,7 @@ module rc_pass_begin #(
 
   // Event.
   logic                arrives, found, back;   // arrives: a camera ray or bounce is done
-  logic                first;                  // through no hole of a texture
+  logic                first;                  // the ray has passed no hole
   logic [PrimBits-1:0] prim;
   logic [TBits-1:0]    t;
   logic [UvBits-1:0]   u, v;

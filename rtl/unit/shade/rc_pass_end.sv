@@ -211,7 +211,7 @@ module rc_pass_end #(
   assign turned  = transform_i && home_i != '0;   // otherwise the result in the scene's space stays
   assign changes = {surf_i || turned, transform_i, surf_i, surf_i || is_texture, is_light};
 
-  // Through a hole of a texture the ray goes on, but not through more than a few.
+  // Through a hole the ray continues, at most 63 times.
   logic goes_on;
 
   if (rc_pkg::HasTextures == 1) begin : gen_holes
@@ -296,7 +296,7 @@ module rc_pass_end #(
   rc_pkg::shade_state_t textured, sided, now;
   logic [1:0]           leave;
 
-  // A surface with a texture leaves for tex, with two levels after it was transformed.
+  // A textured surface goes to tex; with two levels, after the pass *transform*.
   rc_pkg::tex_req_t           request;
   logic                       asks_texture;
   logic [rc_pkg::TexReqW-1:0] tex_req;

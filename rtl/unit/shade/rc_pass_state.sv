@@ -69,7 +69,7 @@ module rc_pass_state #(
     kept.least = many.least;
     kept.most = many.most;
   end
-  // With textures: the texture's record, and for an instance that has no map the old cosine.
+  // With textures: the texture's record, and the old cosine for an instance without a map.
   if (rc_pkg::HasTextures == 1) begin : gen_texture
     localparam int unsigned CosineW = rc_pkg::Homes == 1 ? rc_pkg::ValueBits : 1;
     logic [rc_pkg::AddrBits-1:0] record;

@@ -5,13 +5,14 @@
 // With two levels it requests the instance first, whose line has the address of the surfaces. An
 // instance is always accepted.
 //
-// A hit on a surface with a texture goes to tex, and makes its next pass when the colour has come.
+// A textured hit goes to tex, and makes its next pass when the colour has arrived.
 //
 // A pass enters every ShadeInterval cycles. Passes whose surface is there go first, then contexts
-// that need another pass, then those whose texture has come, then answers of other rays. Latency
-// rc_pkg::ShadeLatency + 1 from a pass to its output, more if the context passes again. closest_i
-// is always accepted; slot_i and ray_i are observed. The user holds frame_i while rays are in
-// flight. Model: model/unit/shade/unit.hpp (timing), model/unit/shade/pass.hpp (values).
+// that need another pass, then contexts whose texture colour has arrived, then answers of other
+// rays. Latency rc_pkg::ShadeLatency + 1 from a pass to its output, more if the context passes
+// again. closest_i is always accepted; slot_i and ray_i are observed. The user holds frame_i while
+// rays are in flight. Model: model/unit/shade/unit.hpp (timing), model/unit/shade/pass.hpp
+// (values).
 `default_nettype none
 module rc_shade (
   input  logic              clk_i,
@@ -447,7 +448,7 @@ module rc_shade (
       .pop_i(pixel_valid_o && pixel_ready_i), .data_o({pixel_ray, pixel_data}));
   end
 
-  // ---- With textures: hits on their way to tex, and contexts whose texture has come.
+  // ---- With textures: hits that wait for tex, and contexts whose texture colour has arrived.
   if (rc_pkg::HasTextures == 1) begin : gen_textures
     localparam int unsigned TexDataW = rc_pkg::TexReqW - RayBits;
     logic [RayBits-1:0]  tex_ray;

@@ -1,5 +1,5 @@
-// Logarithm to base 2 with LevelFrac fraction bits. A table has the fraction for the five bits
-// below the highest one. The logarithm of 0 counts as 0. Combinational. Model: log_of() in
+// Logarithm to base 2 with LevelFrac fraction bits. The five bits below the highest set bit index a
+// table of fractions. The logarithm of 0 counts as 0. Combinational. Model: log_of() in
 // model/unit/tex/texel.hpp.
 `default_nettype none
 module rc_log #(
@@ -15,7 +15,7 @@ module rc_log #(
     $error("rc_log: Width must be at most 32");
   end
 
-  // The bits below the highest one that is set, with zeros behind the lowest.
+  // The bits below the highest set bit, padded with zeros at the end.
   logic [Width+IndexBits-1:0] padded;
   logic [4:0]                 whole;
   logic [IndexBits-1:0]       index;

@@ -1,8 +1,8 @@
 // Textures: reads the texture record of a hit and then the line of its texels, and filters them.
 //
-// A hit from shade requests its record at once. rc_texel_address takes the record to the address
-// of the texels, rc_texel_filter takes the texels to a colour. Requests for texels have priority
-// over those for records. Lines are always accepted, and shade accepts every colour.
+// A hit from shade requests its record at once. rc_texel_address computes the address of the texels
+// from the record, and rc_texel_filter computes a colour from the texels. Requests for texels have
+// priority over those for records. Lines are always accepted, and shade accepts every colour.
 //
 // Latency from a record to its request for texels TexAddressStages + 1, from texels to their
 // colour TexFilterStages. Both take one hit per cycle. The unit exists only in a chip with
@@ -28,7 +28,7 @@ module rc_tex (
   // To shade
   output logic                  rsp_fires_o,
   output rc_pkg::tex_rsp_t      rsp_o,
-  // What it did: rc_pkg::tex_cause_e
+  // Activity: rc_pkg::tex_cause_e
   output logic [rc_pkg::CauseBits-1:0] cause_o
 );
   localparam int unsigned RayBits  = rc_pkg::RayBits;
@@ -55,7 +55,7 @@ module rc_tex (
   assign req_fires   = req_valid_i && req_ready_o;
   assign texels_fire = texels_valid && texels_ready;
 
-  // ---- Answers: a record or texels, as the context has requested last.
+  // ---- Answers: a record or texels, according to the context's last request.
   logic [Contexts-1:0] reads_texels_q;
   logic [RayBits-1:0]  came_ray;
   logic                record_comes, texels_come;

@@ -1,4 +1,5 @@
-// From a hit and its texture record to the line that holds its texels, and to their place in it.
+// Computes the line of a hit's texels, and their place in this line, from the hit and its texture
+// record.
 //
 // s1: differences of the corners' coordinates, logarithms. s2: products with u and v. s3: the
 // coordinates, and the level. s4: coordinates within the picture. s5: in texels of the level. s6:
@@ -74,7 +75,7 @@ module rc_texel_address #(
   assign {beyond, s0_record}                = line_i;
   assign s0                                 = s0_record;
 
-  // With two levels the density is that of the mesh; the instance's scale comes with the hit.
+  // With two levels the density refers to mesh steps; the hit carries the instance's scale.
   logic signed [LevelBits:0] s0_dense;
 
   if (rc_pkg::Homes == 1) begin : gen_scale
@@ -90,7 +91,7 @@ module rc_texel_address #(
   assign s0_s                               = s0.s;
   assign s0_t                               = s0.t;
 
-  // What later stages need of the record.
+  // The fields of the record for later stages.
   logic [2*SideBits-1:0]        s0_sides, s3_sides, s5_sides;   // width, height
   logic [3:0]                   s0_wraps, s3_wraps, s4_wraps;   // of s, of t
   logic [SideBits-1:0]          s3_width, s3_height, s5_width, s5_height, s5_last;

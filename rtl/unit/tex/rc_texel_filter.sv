@@ -1,6 +1,6 @@
-// From a line of texels to the colour at a hit: a bilinear filter of four texels in linear light,
-// rounded once. Weights of 0 give the nearest texel. Where alpha, filtered in the same way, is
-// below the cut-off, the triangle has a hole.
+// Computes the colour at a hit from a line of texels: a bilinear filter of four texels in linear
+// light, rounded once. Weights of 0 give the nearest texel. Alpha is filtered in the same way.
+// Where it is below the cut-off, the triangle has a hole.
 //
 // s1: the four texels. s2: their intensities. s3: filtered along the rows. s4: filtered along the
 // column. Latency TexFilterStages, one hit per cycle, no stall. Model: filter_texels() in
@@ -23,7 +23,7 @@ module rc_texel_filter #(
   localparam int unsigned Frac       = rc_pkg::TexelFrac;
   localparam bit          Wide       = rc_pkg::Texels == rc_pkg::TexelsRgb888;
   localparam int unsigned TexelW     = Wide ? 32 : 17;
-  localparam int unsigned RowTexels  = 5;              // of a line: those of a tile and one more
+  localparam int unsigned RowTexels  = 5;              // of a line: tile and border
   localparam int unsigned Rows       = Wide ? 3 : 5;
   localparam int unsigned RowW       = RowTexels * TexelW;
   localparam int unsigned AlongW     = ColourBits + Frac;       // filtered along a row

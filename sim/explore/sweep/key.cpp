@@ -24,7 +24,7 @@ void add(Digest& digest, const Material& m) {
     digest.add(m.schlick);
     if (m.texture) digest.add(*m.texture);
 }
-// The digest of a scene without textures does not depend on there being textures at all.
+// Textures and coordinates contribute to a digest only if the scene has them.
 void add(Digest& digest, const CornerCoordinates& corners) {
     for (const glm::dvec2& st : corners) add(digest, st.x), add(digest, st.y);
 }

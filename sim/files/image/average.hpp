@@ -18,7 +18,8 @@ constexpr std::int64_t most_picture_pixels = std::int64_t{1} << 28;
 
 /// Decodes a picture file in memory to sRGB codes with 8 bits and alpha. Reads PNG, JPEG, BMP, TIFF, TGA,
 /// OpenEXR and Radiance HDR. Integer channels hold sRGB and floating-point channels linear light, clamped to
-/// 0..1. Throws std::runtime_error with the reason if the bytes are none of these, damaged or too large.
+/// 0..1. Throws std::runtime_error with the reason if the format is unknown, or the picture is damaged or too
+/// large.
 TexelLevel decoded_picture(const std::string& bytes);
 
 }   // namespace rayclock

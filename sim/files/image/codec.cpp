@@ -213,7 +213,7 @@ glm::vec4 average(const std::string& bytes) {
     return {float(sum[0] / texels), float(sum[1] / texels), float(sum[2] / texels), float(sum[3] / texels)};
 }
 
-/// Returns OpenImageIO's name of the format that a file has by its first or last bytes.
+/// Detects a file's format from its first or last bytes. Returns OpenImageIO's name for the format.
 const char* plugin_of(const std::string& bytes) {
     struct Mark {
         std::string_view bytes;

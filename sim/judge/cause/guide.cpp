@@ -392,27 +392,28 @@ glm::dvec3 Guide::square(const RefClosest& hit, const Material& material, const 
     return own;
 }
 
-/// Returns how far the logarithm of a length in a plane may differ from that of the cube root of the volume,
-/// for a map of an instance: 0 if it keeps angles.
+/// An instance's map scales lengths in a plane by one factor, and the volume by another. Returns the largest
+/// difference between the logarithm of the first and a third of the logarithm of the second: 0 if the map
+/// preserves angles.
 double stretch_error(const std::array<std::int64_t, 9>& a) {
     glm::dmat3 map;
     for (int i = 0; i < 9; ++i) map[i % 3][i / 3] = double(a[std::size_t(i)]);
     const glm::dmat3 square = glm::transpose(map) * map;
     const double size = (square[0][0] + square[1][1] + square[2][2]) / 3;
-    double off = 0;   // from a multiple of the identity
+    double off = 0;   // deviation from a multiple of the identity
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 3; ++k) off = std::max(off, std::abs(square[i][k] - (i == k ? size : 0)));
     if (off <= 0x1p-10 * size) return 0x1p-8;
-    // The areas of all planes are stretched between the least and the largest product of two singular values.
+    // The map scales areas by a factor between the smallest and the largest product of two singular values.
     const double volume = std::abs(glm::determinant(map)), largest = std::sqrt(3 * size);
     const double least = volume / largest, most = largest * largest, mean = std::cbrt(volume * volume);
     return 0.5 * std::max(std::log2(most / mean), std::log2(mean / least));
 }
 
 /// The machine rounds the weights of the corners, the coordinates, and the place in texels down. It finds the
-/// level from logarithms of 6 fraction bits. Its length of a path has an error of 0.098 of a level, and of
-/// another 0.023 because |d| has 7 bits. The logarithm of the path adds 0.031, that of the cosine half of
-/// this and 1/128, and the two registers 1/128 each.
+/// level from logarithms of 6 fraction bits. Its length of a path errs by 0.098 of a level, and by another
+/// 0.023 because |d| has 7 fraction bits. The logarithm of the path adds 0.031. The logarithm of the cosine
+/// adds half of 0.031 and 1/128. The two registers add 1/128 each.
 void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& own) {
     const MachineVisit* at = visit();
     if (!at || !at->hit.found || at->hit.prim != hit.primitive) return;
@@ -427,7 +428,8 @@ void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& ow
     if (rules_.placed && rules_.placed->is_mirrored(place)) std::swap(u, v);
     const glm::dvec2 st = (1 - u - v) * a + u * b + v * c;
     const glm::dvec2 edges = glm::abs(b - a) + glm::abs(c - a);
-    // With two levels an instance sees a rounded ray, which may meet the triangle a few steps away.
+    // With two levels the ray is rounded in the instance's space, so it may hit the triangle a few steps
+    // away.
     double scale_error = 0, away = 0;
     if (rules_.placed && is_turned(*at)) {
         const auto& vertex = rules_.scene.triangles[hit.primitive].vertex;

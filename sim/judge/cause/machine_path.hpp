@@ -14,7 +14,7 @@ struct MachineLight {
     Ray ray;                 ///< the ray, if one was sent
 };
 
-/// The texture of a hit, as the machine has read it.
+/// The texture of a hit, as the machine read it.
 struct MachineTexture {
     TexReq hit;
     TexRecord record;
@@ -28,7 +28,7 @@ struct MachineVisit {
     Ray ray;
     Closest hit;
     Surface surface;   ///< from memory, if something was hit
-    /// After the surface has arrived, and has been turned if there are two levels; its albedo has the
+    /// After the pass *arrive*, and with two levels after the pass *transform*; its albedo includes the
     /// texture.
     ShadeState state;
     std::optional<MachineTexture> texture;

@@ -48,7 +48,7 @@ void round_material(Material& m) {
     m.shine = std::min(rounded(m.shine, shine_frac), std::ldexp(std::exp2(shine_bits) - 1, -shine_frac));
 }
 
-/// Returns a pyramid with codes of 5, 6 and 5 bits, spread over 0 to 255.
+/// Returns the pyramid with its codes rounded to 5, 6 and 5 bits, and expanded to 8 bits.
 std::shared_ptr<const Pyramid> with_short_codes(Pyramid pyramid) {
     const auto shortened = [](std::uint8_t code, int most) {
         const double few = std::round(double(code) * most / 255);

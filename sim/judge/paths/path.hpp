@@ -197,7 +197,7 @@ private:
     Light exact_sum_{};
     std::uint32_t sample_ = 0;
     std::uint32_t path_ = 0;        ///< with textures: length of the path so far
-    std::uint32_t holes_ = 0;       ///< of textures, through which the ray has gone
+    std::uint32_t holes_ = 0;       ///< of textures, which the ray has passed
     std::optional<TexRsp> texel_;   ///< the last answer of tex
     Colour pixel_{};
     Light exact_pixel_{};

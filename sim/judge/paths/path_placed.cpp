@@ -17,7 +17,7 @@ void PathJudge::transform(const PassIn& in, const PassOut& out) {
     const ShadeState& before = in.state;
     const ShadeState& s = out.state;
     demand(out.leave == (place_.texture ? PassOut::Leave::texture : PassOut::Leave::again),
-           "a surface that is turned sends a ray, or does not ask for its texture");
+           "a surface that is turned sends a ray, or does not request its texture");
     const auto demand_next = [&] { place_.texture ? demand_texture(s, out) : demand_lights(s); };
     if (visit_.place == oracle::PlacedRay::nowhere) return fail("nothing was hit that could be turned");
     demand(rules_.placed->is_map_of(visit_.place, in.placement),

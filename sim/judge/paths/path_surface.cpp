@@ -47,7 +47,7 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
             rules_.placed ? rules_.placed->textured(answer_.prim)
                           : textured_triangle(rules_.inputs.scene, rules_.inputs.lattice.pitch, answer_.prim);
     demand(out.leave == (place_.texture && !rules_.placed ? PassOut::Leave::texture : PassOut::Leave::again),
-           "a surface sends a ray, or does not ask for its texture");
+           "a surface sends a ray, or does not request its texture");
     if (branch_.depth == 0 && sample_ == 0 && holes_ == 0)
         demand(s.found == answer_.found && s.prim == answer_.prim && s.t == answer_.t && s.u == answer_.u &&
                    s.v == answer_.v,
@@ -100,16 +100,16 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
     demand_lights(s);
 }
 
-/// Judges the request to tex. The colour of the texture, and with it the ambient light, come later.
+/// Judges the request to tex. The texture's colour and the ambient light come later.
 void PathJudge::demand_texture(const ShadeState& s, const PassOut& out) {
     demand(ShadeEvent(s.next_event) == ShadeEvent::texture, "no texture pass follows a textured surface");
     const TexReq& hit = out.tex;
     demand(visit_.place == oracle::PlacedRay::nowhere ||
                is_scale(hit.scale, rules_.placed->solids().places()[visit_.place].a, config_),
-           "tex gets another scale than the instance's");
+           "the request to tex has another scale than the instance's");
     demand(hit.record == s.record && hit.u == answer_.u && hit.v == answer_.v && hit.path == path_ &&
                hit.cosine == s.cosine,
-           "tex gets another hit than the ray's");
+           "the request to tex has another hit than the ray's");
     texel_.reset();
 }
 
@@ -132,23 +132,23 @@ void PathJudge::texture(const PassIn& in, const PassOut& out) {
     ShadeState same = before;
     same.albedo = s.albedo, same.next_event = s.next_event, same.light = s.light, same.pending = s.pending,
     same.colour = s.colour, same.holes = holes_;
-    demand(same == s, "what was found on the surface is not kept when its texture comes");
+    demand(same == s, "the pass of a texture changes fields of the surface");
     for (std::size_t k = 0; k < 3; ++k)
         demand(s.albedo[k] == nearest_of_power(Int128(before.albedo[k]) * in.texel[k], share_bits),
                "the colour is not the surface's times the texture's");
     if (!goes_on) {
-        demand(out.leave == PassOut::Leave::again, "a ray goes on where its texture has no hole");
+        demand(out.leave == PassOut::Leave::again, "a ray continues where its texture has no hole");
         ambient(s);
         return demand_lights(s);
     }
-    // From the point in the triangle, in the ray's direction, to the other side.
+    // The ray starts at the hit point in the triangle, keeps its direction, and leaves on the other side.
     Expected ray{RayKind::bounce, {}, bounce_ray_.d, s.self, s.inside};
     ray.o = by_axis([&](std::size_t k) { return std::int32_t(s.o[k]); });
     ray.is_refracted = true;
     if (rules_.placed) ray.home = home_of(s, ray.d);
-    demand(dot(s.n, way_of(ray)) < 0, "a ray goes on to the side from which it came");
+    demand(dot(s.n, way_of(ray)) < 0, "a ray continues on the side from which it came");
     expect_spawn(out, ray);
-    demand(ShadeEvent(s.next_event) == ShadeEvent::arrive, "a ray that goes on is not waited for");
+    demand(ShadeEvent(s.next_event) == ShadeEvent::arrive, "no pass awaits the hit of a continued ray");
 }
 
 void PathJudge::demand_lights(const ShadeState& s) {

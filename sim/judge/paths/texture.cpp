@@ -16,7 +16,7 @@ bool is_nearest(std::int64_t number, double value, double error = 0) {
     return std::abs(double(number) - value) <= 0.5 + error + slack;
 }
 
-/// Returns log2(x) in 64ths, by the middle of the 32 parts of each octave; 0 for 0.
+/// Returns log2(x) in 64ths, for the middle of x's part of 32 in its octave; 0 for 0.
 std::int64_t log_in_64ths(std::uint64_t x) {
     if (x == 0) return 0;
     std::int64_t whole = 0;
@@ -27,7 +27,7 @@ std::int64_t log_in_64ths(std::uint64_t x) {
 
 /// Returns the intensity of a code, in units of 2^-12.
 Int128 intensity(std::uint8_t code, std::uint32_t most) {
-    // The codes of a format with fewer bits: the nearest one, whose upper bits are repeated below.
+    // In a format with fewer bits: the nearest code, extended by repeating its upper bits.
     std::uint32_t shown = code;
     if (most != 255) {
         const auto few = std::uint32_t(std::lround(double(code) * most / 255));
@@ -148,7 +148,7 @@ const char* judge_texture(const FrameInputs& inputs, const TexturedTriangle& tri
     const std::int64_t detail =
         record.density + hit.scale + inputs.frame.shade.spread + log_in_64ths(hit.path) + slant;
     const Int128 level = std::clamp<Int128>(floor_of(detail + 32, 64), 0, Int128(record.last_level));
-    if (Int128(place.level) != level) return "a texture's level is not the one of the hit's distance";
+    if (Int128(place.level) != level) return "a texture's level does not follow from the hit's distance";
 
     const TexelLevel& picture = texture->pyramid->levels[std::size_t(level)];
     const auto coordinate = [&](const std::array<std::int32_t, 3>& c) {
@@ -172,7 +172,7 @@ const char* judge_texture(const FrameInputs& inputs, const TexturedTriangle& tri
             if ((answer.hole != 0) != (sum < Int128(record.cutoff) * 65536))
                 return "a texture has a hole where its picture has none, or none where it has one";
         } else if (answer.colour[k] != nearest_of_power(sum, 16))
-            return "a texture's colour is not that of its picture at the hit";
+            return "a texture's colour differs from its picture at the hit";
     }
     return nullptr;
 }

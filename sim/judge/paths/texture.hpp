@@ -1,7 +1,6 @@
 #pragma once
-// Judges the colour that a texture gives to a hit: exactly, from the scene's picture and the hit's weights.
-// The judge shares no arithmetic with the unit tex (model/unit/tex/texel.hpp), and reads no texel from
-// memory.
+// Judges the colour of a textured hit exactly, from the scene's picture and the hit's weights. The judge
+// shares no arithmetic with the unit tex (model/unit/tex/texel.hpp), and reads no texel from memory.
 #include "model/unit/tex/texel.hpp"
 #include "sim/judge/paths/world.hpp"
 
@@ -24,11 +23,11 @@ std::uint32_t path_length(std::uint32_t before, const Vec3i& d, std::uint32_t t,
 /// True if the register for the spread of samples holds the nearest number.
 bool is_spread(const FrameInputs& inputs, int samples_per_side);
 
-/// True if a hit has the nearest number for the scale of an instance's map (a in memory).
+/// True if a hit holds the nearest number to the scale of an instance's map (`a` in memory).
 bool is_scale(std::int32_t scale, const std::array<std::int64_t, 9>& a, const Config& config);
 
-/// Returns a fault, or null. It judges the numbers of the texture record, each the nearest one to the
-/// scene's; the level; and the colour, to the bit.
+/// Returns a fault, or null. Judges the texture record (each number must be the nearest one to the scene's
+/// number), the level, and the colour, to the bit.
 const char* judge_texture(const FrameInputs& inputs, const TexturedTriangle& triangle, const TexReq& hit,
                           const TexRecord& record, const TexelPlace& place, const TexRsp& answer);
 

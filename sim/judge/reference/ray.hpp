@@ -50,7 +50,7 @@ struct RefPath {
     std::uint32_t left = no_primitive;
     bool is_inside = false;   ///< starts on a sphere and passes through its inside
     double travelled = 0;     ///< length of the path from the eye to `from`
-    int holes = 0;            ///< of textures, through which the ray has gone since its last bounce
+    int holes = 0;            ///< of textures, which the ray has passed since its last bounce
 };
 
 /// float_below() returns the largest float not above x, float_above() the smallest one not below.

@@ -69,8 +69,8 @@ public:
     virtual void round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals, bool is_open) = 0;
     /// Returns a plane's colour at the hit.
     virtual glm::dvec3 square(const RefClosest& hit, const Material& material, const glm::dvec3& own) = 0;
-    /// Replaces the colour of a textured triangle's picture at the hit, and whether it has a hole there.
-    /// `surface` has no colour yet.
+    /// Replaces the picture's colour at a hit of a textured triangle, and the flag for a hole. `surface` has
+    /// no colour yet.
     virtual void texel(const RefClosest& hit, const RefSurface& surface, RefTexel& own) = 0;
     /// Replaces the point from which rays leave.
     virtual void place(RefSurface& surface) = 0;

@@ -128,8 +128,8 @@ void Tracer::on_plane(const RefClosest& hit, RefSurface& surface) const {
     if (steer_) surface.colour = steer_->square(hit, *surface.material, surface.colour);
 }
 
-/// Returns the factor of a triangle's colour: that of its texture, or 1. Finds out whether the texture has a
-/// hole.
+/// Returns the factor of a triangle's colour: the colour of its texture, or 1. Determines whether the texture
+/// has a hole.
 glm::dvec3 Tracer::picture(const RefPath& path, const RefClosest& hit, RefSurface& surface) const {
     if (!surface.material->texture || scene_.coordinates.empty()) return glm::dvec3(1);
     const Texture& texture = scene_.textures[*surface.material->texture];

@@ -1,7 +1,7 @@
 // glTF 2.0. Checks and reads the tree of nodes, meshes, colours, cameras, lights and the first animation. A
 // mesh that stands in several places or moves becomes instances. Reads base-colour textures, or replaces them
-// by their averages. Replaces the colours of a triangle's corners by their mean. Leaves out other textures.
-// Notes all of this.
+// by their averages. Replaces the colours of a triangle's corners by their mean. Ignores other textures. Adds
+// a note for each of these changes.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -253,7 +253,7 @@ private:
         return made;
     }
 
-    /// The picture of a material, and how it lies on meshes.
+    /// The picture of a material, and how it maps to meshes.
     struct Painted {
         std::optional<std::uint32_t> texture;
         GltfMapping mapping;
@@ -266,9 +266,9 @@ private:
         return found->second;
     }
 
-    /// Returns a vertex's point on the picture of the primitive's material, for all vertices. Without a
-    /// picture it is the set 0 as it stands, for scenes that give the mesh another material; a wrong set then
-    /// counts as missing. Returns null if there is no such set.
+    /// Returns the texture coordinates of all vertices, for the picture of the primitive's material. Without
+    /// a picture it returns set 0 unchanged, for scenes that give the mesh another material; an invalid set
+    /// then counts as missing. Returns null if the set is missing.
     const std::vector<glm::dvec2>* coordinates(const JsonValue& attributes, const Primitive& made) {
         if (!loading_.draws_textures()) return nullptr;
         const Painted& paint = painted(made.material);

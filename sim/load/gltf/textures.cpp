@@ -28,7 +28,7 @@ bool GltfTextures::tint(GltfMaterial& material) {
     return true;
 }
 
-/// The opacity of the picture is in the colour's alpha. It counts only in the mode BLEND.
+/// The colour's alpha holds the opacity of the picture. It counts only in the mode BLEND.
 void GltfTextures::count_opacity(GltfMaterial& material) const {
     if (material.is_masked && material.surface.colour.a < 1)
         warnings_.count("material", "with holes in its texture, drawn without them", 0, material.name);
@@ -61,7 +61,7 @@ void GltfTextures::take_opacity(GltfMaterial& material, std::uint32_t texture) c
     if (!material.blends) material.surface.colour.a = 1;   // a MASK has holes instead
 }
 
-/// Applies the sampler. Its numbers are those of OpenGL.
+/// Applies the sampler, which has the numbers of OpenGL.
 void GltfTextures::sample(const JsonValue& texture, Texture& out) const {
     const auto reference = texture.find("sampler");
     if (!reference) return;

@@ -36,12 +36,12 @@ public:
     /// it could be read.
     bool tint(GltfMaterial& material);
 
-    /// Returns the number of a material's texture in all(). Returns nothing if the load averages textures or
-    /// the picture cannot be read; tint() then serves. Throws UserError if the document is wrong.
+    /// Returns the index of a material's texture in all(). Returns nothing if the load averages textures or
+    /// the picture cannot be read; the caller then uses tint(). Throws UserError if the document is wrong.
     std::optional<std::uint32_t> texture(const GltfMaterial& material);
     /// Applies the average opacity of a texture, as tint() does.
     void take_opacity(GltfMaterial& material, std::uint32_t texture) const;
-    /// Returns how a material's base texture lies on the mesh.
+    /// Returns how a material's base texture maps to the mesh.
     GltfMapping mapping(const GltfMaterial& material) const;
     const std::vector<Texture>& all() const { return all_; }
 

@@ -63,9 +63,9 @@ ObjShape read_obj_shape(const std::filesystem::path& path, std::string text, Loa
 /// The picture of a material's diffuse colour: the statement `map_Kd`.
 struct MtlPicture {
     std::string file;                 ///< as written, with / as the separator
-    glm::dvec2 scale{1}, offset{0};   ///< of the coordinates, before t turns down
+    glm::dvec2 scale{1}, offset{0};   ///< of the coordinates, before t is inverted
     bool clamps = false;
-    std::vector<std::string> ignored;   ///< options that are not drawn
+    std::vector<std::string> ignored;   ///< options without an effect
 };
 
 /// One `newmtl` block of an MTL file.

@@ -36,7 +36,7 @@ double number_of(std::string_view& rest, const SourcePosition& at) {
     return finite_number(take_word(rest), at);
 }
 
-/// Reads up to three numbers, of which the last may be missing. Keeps the first two.
+/// Reads one to three numbers. Keeps the first two.
 void pair_of(std::string_view& rest, const SourcePosition& at, glm::dvec2& out) {
     out.x = number_of(rest, at);
     for (int k = 1; k < 3; ++k) {

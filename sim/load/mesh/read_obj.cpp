@@ -179,7 +179,7 @@ private:
         std::size_t first_face, material;
         bool is_smooth = false;
     };
-    /// A corner by numbers from 1. `texture` is 0 or a number above the final count if it has none.
+    /// A corner by numbers from 1. If it has no texture coordinates, `texture` is 0 or above the final count.
     struct Index {
         std::uint32_t position = 0, normal = 0, texture = 0;
     };
@@ -265,7 +265,7 @@ private:
         directions_.push_back(direction.value_or(glm::vec3(0)));
     }
 
-    /// Reads texture coordinates. Only their use on a picture makes a wrong number an error.
+    /// Reads texture coordinates. An invalid number is an error only if a textured face uses it.
     void texture_vertex(std::string_view rest, std::string_view line) {
         check_text(line, at_, "OBJ");
         if (!loading_.draws_textures()) return;
@@ -369,8 +369,8 @@ private:
     /// unchanged.
     glm::vec3 unknown_colour() const { return glm::vec3(colours_.empty() ? 0.8f : 1.0f); }
 
-    /// Returns the texture of a material. Meshes often travel without their pictures, so one that cannot be
-    /// read only causes a note.
+    /// Returns the texture of a material. Meshes are often distributed without their pictures, so an
+    /// unreadable picture only causes a note.
     std::optional<std::uint32_t> texture_of(const MtlBlock& block) {
         if (!block.picture) return std::nullopt;
         const MtlPicture& map = *block.picture;
@@ -435,8 +435,8 @@ private:
         return materials;
     }
 
-    /// Returns a corner's coordinates on the picture of its material, or on any picture if it has none. t
-    /// counts up in the file. Throws UserError if the picture cannot be drawn there.
+    /// Returns a corner's coordinates on the picture of its material, or on any picture if the material has
+    /// none. In the file t increases upwards. Throws UserError if the picture cannot be drawn there.
     glm::dvec2 coordinates_of(std::size_t corner, std::size_t face, const Material& material) {
         const std::uint32_t index = corners_[corner].texture;
         if (index == 0 || index > coordinates_.size()) return no_coordinates;
@@ -510,7 +510,7 @@ private:
         std::uint64_t line;
         std::string words;   ///< after the `vt`
     };
-    /// From the coordinates of the file to those on a picture.
+    /// Maps the coordinates of the file to coordinates on a picture.
     struct Mapping {
         glm::dvec2 scale{1}, offset{0};
     };

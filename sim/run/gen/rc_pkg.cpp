@@ -274,7 +274,7 @@ void derived(Package& p, const Config& c) {
     p.constant("Shades", int(c.has_shade()));
     p.constant("Streams", int(c.is_stream()));   // rays come from records in memory
     p.constant("HasTextures", int(c.has_textures()));
-    p.constant("Homes", int(c.has_homes()));   // rays start from instances
+    p.constant("Homes", int(c.has_homes()));   // secondary rays start on instances
     p.constant("OriginWidth", c.origin_width());
     p.constant("PointWidth", c.point_width());
     p.constant("ApproachShift", c.approach_shift());

@@ -40,7 +40,7 @@ struct Answer {
 Answer answer_of(const std::function<Scene(Loading&)>& read) {
     static const Progress silent;
     static const bool is_large = std::getenv("RC_FUZZ_LARGE") != nullptr;
-    // Every file is the same picture, so that coordinates count.
+    // Every file yields the same picture, so that coordinates are checked.
     const auto picture = [](const std::string&) {
         return TexelLevel{2, 1, {{0, 0, 0, 255}, {255, 255, 255, 255}}};
     };

@@ -1,7 +1,7 @@
 #pragma once
 // Chips with textures, random texture records and hits, and the rules of unit tex in exact integers. The
-// rules are written from the comments of TexRecord, TexReq and model/unit/tex/texel.hpp, and call none of its
-// functions.
+// rules follow the comments of TexRecord, TexReq and model/unit/tex/texel.hpp, but call no function of that
+// file.
 #include <cmath>
 #include <vector>
 
@@ -31,11 +31,12 @@ inline Config tex_config(const std::string& name) {
 
 inline Int128 floor_by(Int128 x, Int128 by) { return x / by - (x % by < 0); }
 
-/// Returns 64 log2 of the middle of part `part` of 32 in the octave from 1 to 2, not rounded.
+/// Returns 64 log2(m), not rounded. m is the middle of part `part` when the octave from 1 to 2 is divided
+/// into 32 parts.
 inline long double exact_log_in_64ths(int part) { return 64 * std::log2((32 + part + 0.5L) / 32); }
 
-/// Returns 64 log2(x), where x counts as the middle of its part of 32 in its octave, rounded to nearest; 0
-/// for 0.
+/// Returns 64 log2(m), rounded to nearest; 0 for x = 0. m is the middle of x's part when its octave is
+/// divided into 32 parts.
 inline int log_in_64ths(std::uint32_t x) {
     static const std::vector<int> parts = [] {
         std::vector<int> values;
@@ -49,8 +50,8 @@ inline int log_in_64ths(std::uint32_t x) {
     return 64 * whole + parts[std::size_t(part)];
 }
 
-/// Returns 64 times what a slanted view adds to the level. A cosine of 1 counts as a little more, by the
-/// table.
+/// Returns 64 times the contribution of a slanted view to the level. The table's logarithm of a cosine of 1
+/// is slightly above 0.
 inline int slant_in_64ths(std::uint32_t cosine) {
     const int lost = 64 * 16 - log_in_64ths(cosine);
     return lost > 0 ? lost / 2 : 0;
@@ -149,7 +150,7 @@ inline std::uint32_t texel_bits(const Line& line, int x, int y, TexelFormat form
 /// Returns the 8-bit code of a channel: red, green, blue.
 inline std::uint32_t texel_code(std::uint32_t bits, std::size_t channel, TexelFormat format) {
     if (format == TexelFormat::rgb888) return bits >> (24 - 8 * channel) & 255;
-    // A code of 5 or 6 bits, with its upper bits repeated below.
+    // A code of 5 or 6 bits, extended by repeating its upper bits.
     const std::uint32_t code = channel == 0 ? bits >> 12 : channel == 1 ? bits >> 6 & 63 : bits >> 1 & 31;
     return channel == 1 ? 4 * code + code / 16 : 8 * code + code / 4;
 }
@@ -183,13 +184,14 @@ std::int64_t filtered_sum(const Line& line, const WantedPlace& place, TexelForma
                    (j == 0 ? 256 - place.weight_y : place.weight_y);
     return sum;
 }
-/// Returns 65536 times the difference between alpha and the cut-off. A hole is where it is negative.
+/// Returns 65536 times the difference between alpha and the cut-off. There is a hole if it is negative.
 inline std::int64_t above_cutoff(const Line& line, const WantedPlace& place, TexelFormat format) {
     const std::int64_t alpha =
         filtered_sum(line, place, format, [&](std::uint32_t bits) { return texel_alpha(bits, format); });
     return alpha - 65536 * std::int64_t(place.cutoff);
 }
-/// Returns the mean of four texels, rounded half up, and whether there is a hole. Without a ray.
+/// Returns the weighted mean of four texels, rounded half up, and whether there is a hole. Does not set
+/// `ray`.
 inline TexRsp wanted_answer(const Line& line, const WantedPlace& place, TexelFormat format) {
     TexRsp answer;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -220,7 +222,7 @@ inline std::array<std::int32_t, 3> random_corners(Draw& draw) {
     return corners;
 }
 
-/// Draws a record. Its sides and levels are those of a whole pyramid, or of a texture without further levels.
+/// Draws a record. It has all levels that its sides allow, or level 0 alone.
 inline TexRecord random_record(Draw& draw, const Config& c) {
     TexRecord record;
     record.s = random_corners(draw), record.t = random_corners(draw);
@@ -240,7 +242,7 @@ inline TexRecord random_record(Draw& draw, const Config& c) {
     return record;
 }
 
-/// Draws a hit. Without a ray and a record's line.
+/// Draws a hit. Does not set `ray` and `record`.
 inline TexReq random_hit(Draw& draw, const Config& c) {
     TexReq hit;
     hit.path = std::uint32_t(draw.natural(draw.coin() ? c.t_bits() : draw.between(1, c.t_bits())));
@@ -253,7 +255,8 @@ inline TexReq random_hit(Draw& draw, const Config& c) {
     return hit;
 }
 
-/// Moves the density so that the level lies in the texture, often exactly between two numbers or at an end.
+/// Changes the density so that the level lies within the texture's levels, or next to them, often exactly
+/// halfway between two levels.
 inline void aim_level(Draw& draw, const TexReq& hit, TexRecord& record, int spread) {
     const int target = 64 * draw.between(-1, int(record.last_level) + 1) +
                        (draw.coin() ? 32 : draw.below(64)) + draw.between(-1, 1);

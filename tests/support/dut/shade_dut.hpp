@@ -132,8 +132,8 @@ private:
 };
 
 /// The environment of shade: contexts receive pixels, rays are sent and answered, and surfaces come from
-/// memory in the order of the requests. Colours of textures come in any order. Everything is random; `idle`
-/// and `stall` percent of the cycles are without.
+/// memory in the order of the requests. Texture colours come in any order. Everything is random. `idle`
+/// percent of the cycles offer nothing, and `stall` percent accept nothing.
 class ShadeWorld {
 public:
     ShadeWorld(const Config& config, const Frame& frame, int idle, int stall, unsigned seed)

@@ -204,7 +204,7 @@ public:
         overtaken += texels && seen.req.offer;
         REQUIRE(seen.texel_rsp.ready);
 
-        // Answers: after exactly the filter's latency.
+        // Answers come exactly after the filter's latency.
         const bool due = !filtered_.empty() && filtered_.front().first == now_;
         REQUIRE(seen.rsp.has_value() == due);
         if (due) {
@@ -224,7 +224,7 @@ public:
     }
     bool is_done() const { return filtered_.empty() && addressed_.empty() && waiting_.empty(); }
 
-    int overtaken = 0;              ///< cycles in which texels went before the record of a waiting hit
+    int overtaken = 0;              ///< cycles in which texels had priority over a waiting hit's record
     std::array<int, 13> levels{};   ///< hits by level
     int clamped = 0, mixed = 0;     ///< hits beyond the last level; with both weights
     int holes = 0;                  ///< hits of a hole
@@ -274,7 +274,7 @@ private:
     std::uint64_t now_ = 0;
 };
 
-/// Returns a frame whose spread is usual, or at an end.
+/// Returns a frame with a typical spread, or a spread at an end of its range.
 inline Frame tex_frame(unsigned number) {
     constexpr std::int32_t most = (1 << (level_bits - 1)) - 1;
     constexpr std::int32_t spreads[] = {-704, most, -most - 1, 0};

@@ -71,8 +71,8 @@ public:
                       "f 1/1 5/2 8/3 4/4\nf 8/1 7/2 3/3 4/4\nf 1/1 2/2 6/3 5/4\n");
     }
 
-    /// Six instances: plain; twice as large and turned; mirrored; stretched by 3, 1/2 and 1; with a material
-    /// of its own that has no texture; far away and eight times as large. With holes, a square with holes
+    /// Six instances: plain; twice as large and turned; mirrored; stretched by 3, 1/2 and 1; with its own
+    /// untextured material; far away and eight times as large. If the scene has holes, a square with holes
     /// stands in front of them.
     std::string still(bool has_holes) const {
         return scene("still.json",
