@@ -112,7 +112,6 @@ package rc_pkg;
   localparam int unsigned LevelBits = 14;
   localparam int unsigned LevelFrac = 6;
   localparam int unsigned LengthBits = 7;
-  localparam int unsigned HoleBits = 6;
   localparam int unsigned LogIndexBits = 5;
   localparam int unsigned SubPixelBits = 8;
   localparam int unsigned DepthBits = 4;

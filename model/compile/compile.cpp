@@ -184,8 +184,7 @@ MemoryImage compile_scene(const Scene& given, const glm::dvec3& eye, const Confi
     MemoryImage image = compile_triangles(triangles, config, name, progress);
     image.lattice = lattice;
     if (config.has_shade()) {
-        TextureLines textures;
-        const auto records = write_textures(scene, lattice, config, name, textures, image);
+        const auto records = write_textures(scene, lattice, config, name, image);
         write_surfaces(scene, records, config, name, image);
     }
     image.report.triangles = scene.triangles.size();

@@ -30,7 +30,7 @@ Surface surface_of(const Scene& scene, const Lattice& lattice, const Config& con
 /// Throws UserError if the scene needs a unit that the configuration does not have.
 void check_units(const Scene& scene, const Config& config, const std::string& name);
 
-/// Appends the surfaces, a line each, to the image. `records`: the result of write_textures(). Throws
+/// Appends the surfaces, a line each, to the image. `records`: the result of write_records(). Throws
 /// UserError beyond the address range.
 void write_surfaces(const Scene& scene, const std::vector<std::uint32_t>& records, const Config& config,
                     const std::string& name, MemoryImage& image);

@@ -76,6 +76,14 @@ std::optional<std::uint32_t> texture_of(const Scene& scene, const Triangle& tria
     return scene.materials[triangle.material].texture;
 }
 
+bool has_texels(const Scene& scene, const Config& config) {
+    return config.has_textures() && !scene.coordinates.empty();
+}
+
+TextureLines::key_type texels_of(const Texture& texture) {
+    return {texture.pyramid.get(), texture.wrap_s, texture.wrap_t};
+}
+
 }   // namespace
 
 TexRecord record_of(const Scene& scene, const Lattice& lattice, const Config& config, std::uint32_t triangle,
@@ -100,21 +108,15 @@ std::int32_t texel_scale_of(const std::array<std::int32_t, 9>& a, const Config& 
     return level_number(std::log2(std::abs(glm::determinant(map))) / 3);
 }
 
-std::vector<std::uint32_t> write_textures(const Scene& scene, const Lattice& lattice, const Config& config,
-                                          const std::string& name, TextureLines& known, MemoryImage& image) {
-    if (!config.has_textures() || scene.coordinates.empty()) return {};
-    std::vector<std::uint32_t> base_of(scene.textures.size()), records(scene.triangles.size());
-    std::uint32_t count = 0;
+void write_texels(const Scene& scene, const Config& config, const std::string& name, TextureLines& known,
+                  MemoryImage& image) {
+    if (!has_texels(scene, config)) return;
     for (const Triangle& triangle : scene.triangles) {
         const std::optional<std::uint32_t> number = texture_of(scene, triangle);
-        count += number.has_value();
-        if (!number || base_of[*number] != 0) continue;
+        if (!number) continue;
         const Texture& texture = scene.textures[*number];
         const std::uint64_t first = image.lines();
-        const auto [base, is_new] =
-            known.try_emplace({texture.pyramid.get(), texture.wrap_s, texture.wrap_t}, std::uint32_t(first));
-        base_of[*number] = base->second;
-        if (!is_new) continue;
+        if (!known.try_emplace(texels_of(texture), std::uint32_t(first)).second) continue;
         TexRecord record = common_record(texture, 0);
         record.last_level = std::uint32_t(texture.pyramid->levels.size()) - 1;
         check_lines(first + texture_lines(record, config.texels), config, name);
@@ -123,20 +125,39 @@ std::vector<std::uint32_t> write_textures(const Scene& scene, const Lattice& lat
             write_level(texture.pyramid->levels[l], texture, config.texels,
                         &image.words[(first + level_offset(record, l, config.texels)) * words_per_line]);
     }
-    const std::uint64_t first = image.lines();
-    check_lines(first + count, config, name);
-    image.words.resize((first + count) * words_per_line, 0);
-    std::uint32_t next = std::uint32_t(first);
+}
+
+std::vector<std::uint32_t> write_records(const Scene& scene, const Lattice& lattice, const Config& config,
+                                         const std::string& name, const TextureLines& known,
+                                         MemoryImage& image) {
+    if (!has_texels(scene, config)) return {};
+    std::vector<std::uint32_t> records(scene.triangles.size());
+    std::uint64_t next = image.lines();
     for (std::size_t i = 0; i < records.size(); ++i)
-        if (texture_of(scene, scene.triangles[i])) records[i] = next++;
+        if (texture_of(scene, scene.triangles[i])) records[i] = std::uint32_t(next++);
+    check_lines(next, config, name);
+    image.words.resize(next * words_per_line, 0);
+    rewrite_records(scene, lattice, config, known, records, image);
+    return records;
+}
+
+void rewrite_records(const Scene& scene, const Lattice& lattice, const Config& config,
+                     const TextureLines& known, const std::vector<std::uint32_t>& records,
+                     MemoryImage& image) {
     tbb::parallel_for(std::size_t(0), records.size(), [&](std::size_t i) {
         if (records[i] == 0) return;
+        const Texture& texture = scene.textures[*texture_of(scene, scene.triangles[i])];
         Words scratch;
-        write_payload(record_of(scene, lattice, config, std::uint32_t(i),
-                                base_of[*texture_of(scene, scene.triangles[i])]),
+        write_payload(record_of(scene, lattice, config, std::uint32_t(i), known.at(texels_of(texture))),
                       config, &image.words[std::size_t(records[i]) * words_per_line], scratch);
     });
-    return records;
+}
+
+std::vector<std::uint32_t> write_textures(const Scene& scene, const Lattice& lattice, const Config& config,
+                                          const std::string& name, MemoryImage& image) {
+    TextureLines lines;
+    write_texels(scene, config, name, lines, image);
+    return write_records(scene, lattice, config, name, lines, image);
 }
 
 std::int32_t spread_of(const Camera& camera, std::uint32_t height, int samples_per_side) {

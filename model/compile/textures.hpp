@@ -20,12 +20,26 @@ TexRecord record_of(const Scene& scene, const Lattice& lattice, const Config& co
 /// texels.
 using TextureLines = std::map<std::tuple<const Pyramid*, Wrap, Wrap>, std::uint32_t>;
 
-/// Appends the texels of all textures on triangles to the image, except those in `known`. Then appends a
-/// record for each textured triangle. `lattice`: the triangles' lattice. Returns the line of each triangle's
-/// record, 0 without a texture. The result is empty if the chip or the scene has no textures. Throws
-/// UserError beyond the address range.
+/// Appends the texels of all textures on triangles to the image, except those in `known`. Does nothing if the
+/// chip or the scene has no textures. Throws UserError beyond the address range.
+void write_texels(const Scene& scene, const Config& config, const std::string& name, TextureLines& known,
+                  MemoryImage& image);
+
+/// Appends a record for each textured triangle, after write_texels(). `lattice`: the triangles' lattice.
+/// Returns the line of each triangle's record, 0 without a texture; an empty list if the chip or the scene
+/// has no textures. Throws UserError beyond the address range.
+std::vector<std::uint32_t> write_records(const Scene& scene, const Lattice& lattice, const Config& config,
+                                         const std::string& name, const TextureLines& known,
+                                         MemoryImage& image);
+
+/// Writes the same records again, into these lines.
+void rewrite_records(const Scene& scene, const Lattice& lattice, const Config& config,
+                     const TextureLines& known, const std::vector<std::uint32_t>& records,
+                     MemoryImage& image);
+
+/// Calls write_texels() and write_records() for a scene that is alone in the image.
 std::vector<std::uint32_t> write_textures(const Scene& scene, const Lattice& lattice, const Config& config,
-                                          const std::string& name, TextureLines& known, MemoryImage& image);
+                                          const std::string& name, MemoryImage& image);
 
 /// Returns Placement::texel_scale for the entries of an instance's map.
 std::int32_t texel_scale_of(const std::array<std::int32_t, 9>& a, const Config& config);

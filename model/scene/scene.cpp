@@ -26,7 +26,8 @@ constexpr double no_limit = std::numeric_limits<double>::max();
 constexpr Range material_ranges[] = {
     {"ambient", &Material::ambient, 1},     {"diffuse", &Material::diffuse, 1},
     {"highlight", &Material::highlight, 1}, {"mirror", &Material::mirror, 1},
-    {"transmit", &Material::transmit, 1},   {"shine", &Material::shine, no_limit},
+    {"transmit", &Material::transmit, 1},   {"cutoff", &Material::cutoff, 1},
+    {"shine", &Material::shine, no_limit},
 };
 
 bool is_within(const glm::dvec3& v, double most) {
@@ -151,7 +152,7 @@ struct Judge {
             const std::string name = "material " + std::to_string(i) + " " + shown(m.name) + " has ";
             const bool good = is_finite(m.colour) && is_finite(m.other) &&
                               is_finite({m.ambient, m.diffuse, m.highlight}) &&
-                              is_finite({m.shine, m.mirror, m.transmit}) && std::isfinite(m.index);
+                              is_finite({m.shine, m.mirror, m.transmit}) && is_finite({m.cutoff, m.index, 0});
             if (!good) refuse(name + "a value that is not a finite number");
             for (const glm::dvec3& colour : {m.colour, m.other})
                 if (!is_within(colour, 1))

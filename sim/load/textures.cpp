@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <stdexcept>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -163,6 +162,8 @@ private:
             const auto [copy, is_new] =
                 copies.try_emplace({instance.mesh, *instance.material}, std::uint32_t(scene_.meshes.size()));
             if (is_new) {
+                if (!loading_.may_make(bytes_of(scene_.meshes[instance.mesh])))
+                    throw UserError(where_ + ": " + loading_.too_much());
                 SharedMesh mesh = scene_.meshes[instance.mesh];
                 for (Triangle& triangle : mesh.triangles) triangle.material = *instance.material;
                 scene_.meshes.push_back(std::move(mesh));
@@ -217,7 +218,8 @@ std::string coordinate_fault(const Texture& texture, const CornerCoordinates& co
         for (const double x : {corner.x, corner.y})
             if (!(std::abs(x) <= most_given_coordinate))
                 return fmt::format(
-                    "has the texture coordinate {}, which must lie within -1000000 and 1000000", text_of(x));
+                    "has the texture coordinate {0}, which must lie within -{1:.0f} and {1:.0f}", text_of(x),
+                    most_given_coordinate);
     for (const glm::dvec2& corner : near_zero(texture, corners))
         for (const double x : {corner.x, corner.y})
             if (!(std::abs(x) <= most_coordinate))

@@ -54,8 +54,7 @@ void add_textured(Scene& scene, Texture texture, Draw& draw) {
 
 /// Writes the textures of a scene into an image that has none yet.
 std::vector<std::uint32_t> written(const Scene& scene, const Config& config, MemoryImage& image) {
-    TextureLines known;
-    return write_textures(scene, image.lattice, config, "test", known, image);
+    return write_textures(scene, image.lattice, config, "test", image);
 }
 
 /// An image that already holds some lines, so that no texture starts at line 0.

@@ -252,7 +252,7 @@ TEST_CASE(
     CHECK_THAT(none.notes[0], Contains("images[0] is not drawn") && Contains("none.png"));
     folder.write("no.png", "GIF89a and so on");
     CHECK_THAT(told(folder, "no.gltf", with("{\"uri\":\"no.png\"}")).notes.at(0),
-               Contains("neither PNG nor JPEG"));
+               Contains("it is not PNG, JPEG, BMP"));
     folder.write("cut.png", png.substr(0, png.size() / 2));
     CHECK(told(folder, "cut.gltf", with("{\"uri\":\"cut.png\"}")).notes.size() == 1);
     check_refused("up.gltf", with("{\"uri\":\"../secret.png\"}"), {"outside the folder"});

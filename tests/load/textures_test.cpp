@@ -159,9 +159,69 @@ std::string png_of(std::uint32_t width, std::uint32_t height, int depth, int col
            png_chunk("IEND", "");
 }
 
+/// A BMP or TGA file of 2 x 1 pixels: the codes 255, 128, 0 and 0, 0, 64.
+std::string small_bmp() {
+    return "BM" + raw(std::uint32_t(62)) + raw(std::uint32_t(0)) + raw(std::uint32_t(54)) +
+           raw(std::uint32_t(40)) + raw(std::uint32_t(2)) + raw(std::uint32_t(1)) + raw(std::uint16_t(1)) +
+           raw(std::uint16_t(24)) + std::string(24, '\0') + std::string("\0\x80\xff\x40\0\0\0\0", 8);
+}
+std::string small_tga() {
+    return std::string("\0\0\2\0\0\0\0\0\0\0\0\0", 12) + raw(std::uint16_t(2)) + raw(std::uint16_t(1)) +
+           "\x18" + std::string("\0\0\x80\xff\x40\0\0", 7) + std::string(8, '\0') +
+           std::string("TRUEVISION-XFILE.\0", 18);
+}
+
+/// A TIFF file of two pixels: 32, 96, 128, 128 and 0, 0, 0, 0. `extra`: 1 if colours are multiplied by alpha,
+/// 2 if not.
+std::string small_tiff(std::uint16_t extra) {
+    const std::string pixels("\x20\x60\x80\x80\0\0\0\0", 8);
+    std::string file = "II" + raw(std::uint16_t(42)) + raw(std::uint32_t(24)) + pixels;   // pixels at 8
+    for (int i = 0; i < 4; ++i) file += raw(std::uint16_t(8));                            // bits at 16
+    const auto entry = [](int tag, int type, std::uint32_t count, std::uint32_t value) {
+        return raw(std::uint16_t(tag)) + raw(std::uint16_t(type)) + raw(count) + raw(value);
+    };
+    return file + raw(std::uint16_t(10)) + entry(256, 3, 1, 2) + entry(257, 3, 1, 1) + entry(258, 3, 4, 16) +
+           entry(259, 3, 1, 1) + entry(262, 3, 1, 2) + entry(273, 4, 1, 8) + entry(277, 3, 1, 4) +
+           entry(278, 3, 1, 1) + entry(279, 4, 1, 8) + entry(338, 3, 1, extra) + raw(std::uint32_t(0));
+}
+
+/// A Radiance file of 2 x 1 pixels: 0.5, 0.25, 0 and black.
+std::string small_hdr() {
+    return "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n" + std::string("\x80\x40\0\x80\0\0\0\0", 8);
+}
+
 using Texels = std::vector<std::array<std::uint8_t, 4>>;
 
 }   // namespace
+
+TEST_CASE("every format has the same colours as a picture and in its average") {
+    const auto near = [](const glm::vec4& a, const glm::vec4& b) { return glm::length(a - b) < 2e-3f; };
+    const Texels codes{{255, 128, 0, 255}, {0, 0, 64, 255}};
+    const auto light = [](int code) { return float(std::pow((code / 255.0 + 0.055) / 1.055, 2.4)); };
+    for (const std::string& bytes : {small_bmp(), small_tga()}) {
+        CHECK(decoded_picture(bytes).texels == codes);
+        CHECK(near(average_colour(bytes), {0.5f, light(128) / 2, light(64) / 2, 1}));
+    }
+    CHECK(decoded_picture(small_tiff(1)).texels == Texels{{64, 191, 255, 128}, {0, 0, 0, 0}});
+    CHECK(decoded_picture(small_tiff(2)).texels == Texels{{32, 96, 128, 128}, {0, 0, 0, 0}});
+    CHECK(near(average_colour(small_tiff(1)), {light(64) / 2, light(191) / 2, 0.5f, 64 / 255.0f}));
+    // Radiance files hold linear light. The code 188 has the intensity 0.503, and 137 has 0.251.
+    CHECK(decoded_picture(small_hdr()).texels == Texels{{188, 137, 0, 255}, {0, 0, 0, 255}});
+    CHECK(near(average_colour(small_hdr()), {0.25f, 0.125f, 0, 1}));
+}
+
+TEST_CASE("json: --no-textures reads every format that is drawn") {
+    for (const auto& [name, bytes] : {std::pair{"p.bmp", small_bmp()}, {"p.tga", small_tga()}}) {
+        INFO(name);
+        const Folder folder;
+        folder.write(name, bytes);
+        Json document = inline_json();
+        document["materials"]["m"]["texture"] = name;
+        const std::string file = folder.write("a.json", document.dump());
+        CHECK(read(file).scene.textures.size() == 1);
+        CHECK(read(file, Textures::averaged).material().colour.r == Approx(0.5).epsilon(1e-3));
+    }
+}
 
 TEST_CASE("pictures of every depth become codes of 8 bits") {
     const auto bytes = [](std::initializer_list<int> list) {
@@ -429,6 +489,9 @@ TEST_CASE("json: wrong textures are named by their path") {
     CHECK_THAT(with({{"file", "p.png"}, {"filter", "cubic"}}), Contains("\"nearest\" or \"bilinear\""));
     CHECK_THAT(with({{"file", "p.png"}, {"mip", true}}), Contains("'mip'"));
     Json document = inline_json();
+    document["materials"]["m"].erase("texture"), document["materials"]["m"]["cutoff"] = 0.5;
+    CHECK_THAT(json_complaint(document), Contains("materials.m.cutoff") && Contains("has no texture"));
+    document = inline_json();
     document["meshes"]["t"]["coordinates"] = Json::array();
     CHECK_THAT(json_complaint(document), Contains("coordinates has 0 entries for 1 triangles"));
     document["meshes"]["t"]["coordinates"] = {{{0, 0}, {1000, 0}, {0, 1}}};

@@ -44,6 +44,10 @@ mutant(model_one_unit_rests_for_both FILE model/machine/pipeline.inl WITH model/
 mutant(keyframes_may_stand_still FILE sim/load/json/motion.cpp TEST motion [motion]
   OLD [[!(t > times.back())]]
   NEW [[!(t >= times.back())]])
+mutant(buffers_share_a_cache_line FILE model/compile/levels/compile.cpp TEST motion [deform][textures]
+  OLD [[            if (made.deforms) align();
+            one.records]]
+  NEW [[            one.records]])
 mutant(shapes_jump_at_the_last_key FILE model/scene/deform.cpp TEST motion [deform]
   OLD [[if (k + 1 < times.size()) key(k + 1, 0);]]
   NEW [[if (k + 2 < times.size()) key(k + 1, 0);]])

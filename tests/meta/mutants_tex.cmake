@@ -171,8 +171,15 @@ mutant(tex_image_border_of_the_other_axis FILE model/compile/textures.cpp TEST c
   OLD [[level.width, texture.wrap_s)]]
   NEW [[level.width, texture.wrap_t)]])
 mutant(tex_image_shared_whatever_the_wrap FILE model/compile/textures.cpp TEST compile [textures]
-  OLD [[known.try_emplace({texture.pyramid.get(), texture.wrap_s, texture.wrap_t},]]
-  NEW [[known.try_emplace({texture.pyramid.get(), texture.wrap_s, Wrap::repeat},]])
+  OLD [[return {texture.pyramid.get(), texture.wrap_s, texture.wrap_t};]]
+  NEW [[return {texture.pyramid.get(), texture.wrap_s, Wrap::repeat};]])
+mutant(tex_image_density_of_the_first_frame FILE model/compile/levels/moving.cpp TEST motion
+  [deform][textures]
+  OLD [[rewrite_records(shown, part.lattice, config_, levels_.textures, copy.records, levels_.image);]]
+  NEW [[]])
+mutant(tex_image_records_not_uploaded FILE model/compile/levels/moving.cpp TEST motion [deform][textures]
+  OLD [[if (first != surfaces.records.end()) part(*first, records, nullptr);]]
+  NEW [[(void)first, (void)records;]])
 mutant(tex_image_scale_of_an_area FILE model/compile/textures.cpp TEST system [textures][map]
   OLD [[std::log2(std::abs(glm::determinant(map))) / 3]]
   NEW [[std::log2(std::abs(glm::determinant(map))) / 2]])

@@ -21,7 +21,7 @@ endforeach()
 # docs/proofs/who-checks-the-rules.md names every fault of a rule, and no mutant that does not exist.
 cmake_policy(SET CMP0057 NEW)
 file(READ ${SOURCE}/docs/proofs/who-checks-the-rules.md verdict)
-string(REGEX MATCHALL "`(rule|judge)_[a-z0-9_]+`" told "${verdict}")
+string(REGEX MATCHALL "`(rule|judge|tex_model|tex_image|simulate_tex)_[a-z0-9_]+`" told "${verdict}")
 string(REPLACE "`" "" told "${told}")
 foreach(name IN LISTS told)
   if(NOT name IN_LIST names)

@@ -73,7 +73,7 @@ TEST_CASE("Every number must be finite", "[scene][check]") {
           "bunny.obj: the background (nan, 0.361, 0.753) is not a colour: three numbers within 0 and 1");
     for (double Material::*member :
          {&Material::ambient, &Material::diffuse, &Material::highlight, &Material::shine, &Material::mirror,
-          &Material::transmit, &Material::index})
+          &Material::transmit, &Material::index, &Material::cutoff})
         for (const double bad : {not_a_number, infinite})
             CHECK(sentence([&](Scene& s) { s.materials[1].*member = bad; }) ==
                   "bunny.obj: material 1 'brass' has a value that is not a finite number");
@@ -166,7 +166,8 @@ TEST_CASE("Weights and colours have their ranges", "[scene][check]") {
                                        {"diffuse", &Material::diffuse},
                                        {"highlight", &Material::highlight},
                                        {"mirror", &Material::mirror},
-                                       {"transmit", &Material::transmit}}) {
+                                       {"transmit", &Material::transmit},
+                                       {"cutoff", &Material::cutoff}}) {
         for (const double good : {0.0, 1.0})
             CHECK(sentence([&, member = member](Scene& s) { s.materials[1].*member = good; }).empty());
         CHECK(sentence([&, member = member](Scene& s) { s.materials[1].*member = 1.5; }) ==

@@ -12,7 +12,6 @@
 #include "model/layout/words.hpp"
 #include "model/compile/refit/refit.hpp"
 #include "model/compile/surfaces.hpp"
-#include "model/compile/textures.hpp"
 #include "model/compile/compile.hpp"
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
@@ -31,8 +30,7 @@ public:
     void run(int buffers, const UpperRoom& room) {
         buffers_ = std::max(buffers, 1);
         lowers_.resize(out_.maps.classes.size());
-        out_.rooms.assign(lowers_.size(), 0), out_.first_surface_lines.assign(lowers_.size(), 0);
-        out_.texture_records.resize(lowers_.size());
+        out_.rooms.assign(lowers_.size(), 0), out_.surfaces.resize(lowers_.size());
         for (std::size_t c = 0; c < lowers_.size(); ++c) compile_class(c);
         gather_entries();
         if (buffers > 0) {   // each buffer has room for any tree of the film
@@ -84,9 +82,9 @@ private:
 
     /// Rounds up to whole lines of every cache, so that no cache line holds lines of two trees.
     std::uint32_t aligned(std::uint32_t lines) const {
-        const auto step = std::uint32_t(
-            std::max({config_.node_line, config_.prim_line, config_.surf_line, config_.l2_line}) /
-            line_bytes);
+        const auto step = std::uint32_t(std::max({config_.node_line, config_.prim_line, config_.surf_line,
+                                                  config_.tex_line, config_.l2_line}) /
+                                        line_bytes);
         return (lines + step - 1) / step * step;
     }
 
@@ -126,15 +124,14 @@ private:
     void complete(UpperEntry& entry, std::uint32_t instance) {
         entry.root = out_.roots[entry.map->mesh_class];
         if (!config_.shading) return;
-        entry.first_surface_line = surfaces_of(instance) - entry.first;
+        entry.first_surface_line = surfaces_of(class_of(instance)) - entry.first;
         if (const auto& own = parts_.instances[instance].material) entry.material = material_of(*own);
     }
 
-    /// Returns the line of the first surface of an instance's mesh. Instances of a class share surfaces.
-    std::uint32_t surfaces_of(std::uint32_t instance) {
-        const auto [found, is_new] = surfaces_.try_emplace(class_of(instance));
-        if (is_new) found->second = write_surfaces_of(class_of(instance));
-        return found->second;
+    /// Returns the line of the first surface of a class, which its instances share.
+    std::uint32_t surfaces_of(std::uint32_t number) {
+        if (out_.surfaces[number].empty()) write_surfaces_of(number);
+        return out_.surfaces[number][0].first;
     }
 
     /// Returns the line of a surface with a material but without corners.
@@ -149,23 +146,29 @@ private:
         return found->second;
     }
 
-    /// Writes the surfaces of a class, and its textures before them. Returns the line of the first surface.
-    std::uint32_t write_surfaces_of(std::uint32_t number) {
+    /// Writes the surfaces of a class, and its textures before them.
+    void write_surfaces_of(std::uint32_t number) {
         const MeshClass& made = out_.maps.classes[number];
+        std::vector<LevelsImage::Surfaces>& all = out_.surfaces[number];
+        all.resize(made.deforms ? std::size_t(buffers_) : 1);
         if (parts_.is_round(made.mesh)) {
-            const std::uint32_t first = image_.lines();
-            write_round(made.lattice);
-            return first;
+            all[0].first = image_.lines();
+            return write_round(made.lattice);
         }
         Scene scene = class_surfaces(*parts_.meshes[made.mesh], made, materials_);
         scene.textures = parts_.textures;
-        out_.texture_records[number] =
-            write_textures(scene, step_lattice(), config_, name_, textures_, image_);
-        out_.first_surface_lines[number] = image_.lines();
-        for (int b = 0; b < (made.deforms ? buffers_ : 1); ++b)
-            write(scene, step_lattice(), out_.texture_records[number]);
-        return out_.first_surface_lines[number];
+        write_texels(scene, config_, name_, out_.textures, image_);
+        for (LevelsImage::Surfaces& one : all) {
+            if (made.deforms) align();
+            one.records = write_records(scene, step_lattice(), config_, name_, out_.textures, image_);
+            one.first = image_.lines();
+            write(scene, step_lattice(), one.records);
+        }
+        if (made.deforms) align();
     }
+
+    /// Begins a new line of every cache, so that no cache line holds lines of two buffers.
+    void align() { image_.words.resize(std::size_t(aligned(image_.lines())) * words_per_line, 0); }
 
     /// Writes the surfaces of the scene's own spheres and planes, on the scene's lattice.
     void write_round(const Lattice& lattice) {
@@ -212,10 +215,9 @@ private:
     LevelsImage& out_;
     MemoryImage& image_;
     int buffers_ = 1;
-    std::vector<MemoryImage> lowers_;                                  // by class
-    std::uint64_t triangles_ = 0;                                      // placed
-    std::map<std::uint32_t, std::uint32_t> surfaces_, materials_of_;   // lines, by class and by material
-    TextureLines textures_;
+    std::vector<MemoryImage> lowers_;                       // by class
+    std::uint64_t triangles_ = 0;                           // placed
+    std::map<std::uint32_t, std::uint32_t> materials_of_;   // lines, by material
     Words scratch_;
 };
 

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "model/compile/levels/upper.hpp"
+#include "model/compile/textures.hpp"
 
 namespace rayclock {
 
@@ -17,8 +18,14 @@ struct LevelsImage {
     /// By class: most lines of each tree of a mesh that deforms, with one tree per buffer. 0 for other
     /// meshes.
     std::vector<std::uint32_t> rooms;
-    std::vector<std::uint32_t> first_surface_lines;            ///< by class, if the chip shades
-    std::vector<std::vector<std::uint32_t>> texture_records;   ///< by class: the result of write_textures()
+    /// A copy of a class's surfaces and texture records, if the chip shades. A mesh that deforms has a copy
+    /// per buffer, other meshes have one.
+    struct Surfaces {
+        std::uint32_t first = 0;              ///< line of the first surface
+        std::vector<std::uint32_t> records;   ///< the result of write_records()
+    };
+    std::vector<std::vector<Surfaces>> surfaces;   ///< by class and buffer
+    TextureLines textures;
 };
 
 /// Returns the configuration with levels=2. Throws UserError if that combination is not allowed.

@@ -147,8 +147,13 @@ void MovingLevels::hold(std::size_t buffer) {
         const std::uint32_t c = follower.mesh_class, room = levels_.rooms[c], count = follower.triangles;
         if (levels_.roots[c] == 0) continue;
         part(levels_.roots[c] + std::uint32_t(buffer) * room, room, &follower);
-        if (config_.shading)
-            part(levels_.first_surface_lines[c] + std::uint32_t(buffer) * count, count, nullptr);
+        if (!config_.shading) continue;
+        const LevelsImage::Surfaces& surfaces = levels_.surfaces[c][buffer];
+        part(surfaces.first, count, nullptr);
+        // The records lie in the order of their triangles, without gaps.
+        const auto records = count - std::uint32_t(std::ranges::count(surfaces.records, 0u));
+        const auto first = std::ranges::find_if(surfaces.records, [](std::uint32_t r) { return r != 0; });
+        if (first != surfaces.records.end()) part(*first, records, nullptr);
     }
     std::sort(regions_.begin(), regions_.end(),
               [](const Region& a, const Region& b) { return a.first < b.first; });
@@ -177,24 +182,27 @@ void MovingLevels::follow(const PlacedScene& scene, double rebuild, std::size_t 
         ++(is_built ? upload.rebuilt : upload.refitted);
         upload.cost = std::max(upload.cost, follower.tree.ratio());
         upload.nodes += follower.tree.report().nodes;
-        draw(follower, mesh, scene.own.materials, buffer);
+        draw(follower, mesh, scene.own, buffer);
     }
 }
 
-/// Writes the tree and surfaces of a mesh into a buffer, and points the class's instances to them.
-void MovingLevels::draw(Follower& follower, const SharedMesh& mesh, const std::vector<Material>& materials,
-                        std::size_t buffer) {
+/// Writes the tree, surfaces and texture records of a mesh into a buffer, and points the class's instances to
+/// them. `own`: the scene, for its materials and textures.
+void MovingLevels::draw(Follower& follower, const SharedMesh& mesh, const Scene& own, std::size_t buffer) {
     const std::uint32_t c = follower.mesh_class, room = levels_.rooms[c],
                         root = levels_.roots[c] + std::uint32_t(buffer) * room;
     std::vector<std::uint32_t>& words = levels_.image.words;
     follower.tree.write(root, true, &words[std::size_t(root) * words_per_line], room);
     std::uint32_t surfaces = 0;
     if (config_.shading) {
-        surfaces = levels_.first_surface_lines[c] + std::uint32_t(buffer) * follower.triangles;
+        const LevelsImage::Surfaces& copy = levels_.surfaces[c][buffer];
+        surfaces = copy.first;
         MemoryImage part;
         part.lattice.coord_bits = config_.coord_bits;
-        write_surfaces(class_surfaces(mesh, levels_.maps.classes[c], materials), levels_.texture_records[c],
-                       config_, name_, part);
+        Scene shown = class_surfaces(mesh, levels_.maps.classes[c], own.materials);
+        shown.textures = own.textures;
+        write_surfaces(shown, copy.records, config_, name_, part);
+        rewrite_records(shown, part.lattice, config_, levels_.textures, copy.records, levels_.image);
         std::copy(part.words.begin(), part.words.end(),
                   words.begin() + std::ptrdiff_t(std::size_t(surfaces) * words_per_line));
     }

@@ -30,7 +30,8 @@ public:
                                               const Config& config, const ShapeBounds& shapes = {});
 
     /// Returns the memory as the last frame finds it. Lines that no frame writes are there from the
-    /// beginning: everything except the scene's trees and the trees and surfaces of deforming meshes.
+    /// beginning: everything except the scene's trees, and the trees, surfaces and texture records of
+    /// deforming meshes.
     const MemoryImage& image() const { return levels_.image; }
     std::uint32_t root() const { return root_; }   ///< of that frame
     const LevelsImage& levels() const { return levels_; }
@@ -61,8 +62,7 @@ private:
                  const Config& config, const ShapeBounds& shapes);
     std::uint32_t room(const std::vector<UpperEntry>& entries, std::span<const Places> times);
     void follow(const PlacedScene& scene, double rebuild, std::size_t buffer, Upload& upload);
-    void draw(Follower& follower, const SharedMesh& mesh, const std::vector<Material>& materials,
-              std::size_t buffer);
+    void draw(Follower& follower, const SharedMesh& mesh, const Scene& own, std::size_t buffer);
     void hold(std::size_t buffer);
     void take_region(const Region& region, std::size_t buffer, Upload& upload) const;
     Upload next(const Places& places, const PlacedScene* scene, double rebuild);

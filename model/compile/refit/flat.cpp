@@ -77,8 +77,7 @@ Upload RefittedScene::next(const Scene& given) {
     image_.report.pitch = image_.lattice.pitch;
     image_.report.bytes = image_.words.size() * sizeof(std::uint32_t);
     if (config_.has_shade()) {
-        TextureLines textures;
-        const auto records = write_textures(scene, image_.lattice, config_, name_, textures, image_);
+        const auto records = write_textures(scene, image_.lattice, config_, name_, image_);
         write_surfaces(scene, records, config_, name_, image_);
     }
     (is_built ? upload.rebuilt : upload.refitted) = 1;

@@ -8,18 +8,18 @@
 
 namespace rayclock {
 
-/// Returns the mean of all pixels of a PNG or JPEG in memory: linear red, green, blue, and opacity. Throws
-/// std::runtime_error with the reason if the bytes are neither, or damaged.
-glm::vec4 average_colour(const std::string& bytes);
-
-/// The largest side and the largest number of pixels of a picture that decoded_picture() reads.
+/// The largest side and the largest number of pixels of a picture that these functions read.
 constexpr int most_picture_side = 16384;
 constexpr std::int64_t most_picture_pixels = std::int64_t{1} << 28;
 
-/// Decodes a picture file in memory to sRGB codes with 8 bits and alpha. Reads PNG, JPEG, BMP, TIFF, TGA,
-/// OpenEXR and Radiance HDR. Integer channels hold sRGB and floating-point channels linear light, clamped to
-/// 0..1. Throws std::runtime_error with the reason if the format is unknown, or the picture is damaged or too
-/// large.
+/// Decodes a picture file in memory to sRGB codes with 8 bits and alpha. Reads PNG, JPEG, BMP, TIFF, TGA
+/// (with the footer of version 2), OpenEXR and Radiance HDR. Integer channels hold sRGB and floating-point
+/// channels linear light, clamped to 0..1. Throws std::runtime_error with the reason if the format is
+/// unknown, or the picture is damaged or too large.
 TexelLevel decoded_picture(const std::string& bytes);
+
+/// Returns the mean of all pixels of such a file: linear red, green, blue, and opacity. Throws the same
+/// errors.
+glm::vec4 average_colour(const std::string& bytes);
 
 }   // namespace rayclock

@@ -3,9 +3,11 @@
 #include "sim/files/image/codec.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <memory>
 #include <stdexcept>
 #include <string_view>
 
@@ -182,37 +184,6 @@ Texels texels(const std::string& png) {
     return all;
 }
 
-/// Averages row by row, so that a large picture takes little memory. Adds in the order of the rows.
-glm::vec4 average(const std::string& bytes) {
-    const bool is_png = bytes.starts_with("\x89PNG"), is_jpeg = bytes.starts_with("\xff\xd8");
-    if (!is_png && !is_jpeg) throw std::runtime_error("it is neither PNG nor JPEG");
-    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
-    const auto input = OIIO::ImageInput::create(is_png ? "png" : "jpeg");
-    if (!input || !input->set_ioproxy(&memory)) throw std::runtime_error(OIIO::geterror());
-    OIIO::ImageSpec spec, wish;
-    wish.attribute("oiio:UnassociatedAlpha", 1);
-    if (!input->open(is_png ? "texture.png" : "texture.jpg", spec, wish))
-        throw std::runtime_error(input->geterror());
-    constexpr std::int64_t most_texels = std::int64_t{1} << 26;
-    if (std::int64_t{spec.width} * spec.height > most_texels)
-        throw std::runtime_error(std::to_string(spec.width) + "x" + std::to_string(spec.height) +
-                                 " texels are too many");
-    const int channels = spec.nchannels;
-    std::vector<float> row(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(channels));
-    double sum[4] = {};
-    for (int y = 0; y < spec.height; ++y) {
-        if (!input->read_scanline(y, 0, OIIO::TypeFloat, row.data()))
-            throw std::runtime_error(input->geterror());
-        for (int x = 0; x < spec.width; ++x) {
-            const float* texel = &row[static_cast<std::size_t>(x * channels)];
-            for (int c = 0; c < 3; ++c) sum[c] += linear_from_srgb(texel[channels >= 3 ? c : 0]);
-            sum[3] += channels == 4 ? texel[3] : channels == 2 ? texel[1] : 1;
-        }
-    }
-    const double texels = double(spec.width) * spec.height;
-    return {float(sum[0] / texels), float(sum[1] / texels), float(sum[2] / texels), float(sum[3] / texels)};
-}
-
 /// Detects a file's format from its first or last bytes. Returns OpenImageIO's name for the format.
 const char* plugin_of(const std::string& bytes) {
     struct Mark {
@@ -231,46 +202,92 @@ const char* plugin_of(const std::string& bytes) {
     for (const Mark& mark : marks)
         if (bytes.starts_with(mark.bytes)) return mark.plugin;
     if (bytes.ends_with("TRUEVISION-XFILE.\0"sv)) return "targa";
-    throw std::runtime_error("it is not PNG, JPEG, BMP, TIFF, TGA, OpenEXR or HDR");
+    throw std::runtime_error("it is not PNG, JPEG, BMP, TIFF, TGA (version 2), OpenEXR or HDR");
+}
+
+/// A picture in the memory. Reads it row by row, so that averaging needs little memory, and a truncated file
+/// fails before its memory is filled.
+class TextureReader {
+public:
+    /// `bytes` must outlive the reader.
+    explicit TextureReader(const std::string& bytes)
+        : memory_(const_cast<char*>(bytes.data()), bytes.size()) {
+        const std::string plugin = plugin_of(bytes);
+        input_ = OIIO::ImageInput::create(plugin);
+        if (!input_ || !input_->set_ioproxy(&memory_)) throw std::runtime_error(OIIO::geterror());
+        OIIO::ImageSpec wish;
+        wish.attribute("oiio:UnassociatedAlpha", 1);
+        if (!input_->open("texture." + plugin, spec_, wish)) throw std::runtime_error(input_->geterror());
+        if (spec_.width < 1 || spec_.height < 1 || spec_.depth > 1 || spec_.tile_width > 0 ||
+            spec_.nchannels < 1)
+            throw std::runtime_error("its pixels are not rows of one picture");
+        if (width() > most_picture_side || height() > most_picture_side ||
+            std::int64_t{width()} * height() > most_picture_pixels)
+            throw std::runtime_error(std::to_string(width()) + "x" + std::to_string(height()) +
+                                     " texels are too many");
+        // The library divides by alpha only for some formats.
+        is_divided_ = (plugin != "openexr" && plugin != "tiff") ||
+                      spec_.get_int_attribute("oiio:UnassociatedAlpha") != 0;
+    }
+
+    int width() const { return spec_.width; }
+    int height() const { return spec_.height; }
+    /// True if the channels hold linear light, false if they hold sRGB.
+    bool is_linear() const { return is_floating(spec_.format); }
+
+    /// Calls take(texel) from left to right and from top to bottom. A texel has red, green, blue and alpha,
+    /// clamped to 0..1; NaN counts as 0.
+    template <class Take> void for_each(const Take& take) {
+        const auto channels = std::size_t(spec_.nchannels);
+        std::vector<float> row(std::size_t(width()) * channels);
+        for (int y = 0; y < height(); ++y) {
+            if (!input_->read_scanline(spec_.y + y, 0, OIIO::TypeFloat, row.data()))
+                throw std::runtime_error(input_->geterror());
+            for (std::size_t x = 0; x < std::size_t(width()); ++x) take(texel(&row[x * channels]));
+        }
+    }
+
+private:
+    glm::vec4 texel(const float* channel) const {
+        const float alpha = spec_.alpha_channel < 0 ? 1 : within_one(channel[spec_.alpha_channel]);
+        const float divisor = is_divided_ || alpha <= 0 ? 1 : alpha;
+        glm::vec4 out(0, 0, 0, alpha);
+        for (int c = 0; c < 3; ++c) out[c] = within_one(channel[spec_.nchannels >= 3 ? c : 0] / divisor);
+        return out;
+    }
+    static float within_one(float value) { return value > 0 ? std::min(value, 1.0f) : 0; }
+
+    OIIO::Filesystem::IOMemReader memory_;
+    std::unique_ptr<OIIO::ImageInput> input_;
+    OIIO::ImageSpec spec_;
+    bool is_divided_ = true;   ///< colours are not multiplied by alpha
+};
+
+/// Adds in the order of the texels.
+glm::vec4 average(const std::string& bytes) {
+    TextureReader reader(bytes);
+    const bool is_linear = reader.is_linear();
+    glm::dvec4 sum(0);
+    reader.for_each([&](const glm::vec4& texel) {
+        for (int c = 0; c < 3; ++c) sum[c] += is_linear ? double(texel[c]) : linear_from_srgb(texel[c]);
+        sum[3] += double(texel[3]);
+    });
+    return glm::vec4(sum / (double(reader.width()) * reader.height()));
 }
 
 std::uint8_t code_of(float value, bool is_linear) {
-    return is_linear ? srgb_byte(value)
-                     : static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0f, 1.0f)));
+    return is_linear ? srgb_byte(value) : static_cast<std::uint8_t>(std::lround(255 * value));
 }
 
-/// Reads row by row, so that a truncated file fails before its memory is filled.
 TexelLevel picture(const std::string& bytes) {
-    const char* const plugin = plugin_of(bytes);
-    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
-    const auto input = OIIO::ImageInput::create(plugin);
-    if (!input || !input->set_ioproxy(&memory)) throw std::runtime_error(OIIO::geterror());
-    OIIO::ImageSpec spec, wish;
-    wish.attribute("oiio:UnassociatedAlpha", 1);
-    if (!input->open(std::string("texture.") + plugin, spec, wish))
-        throw std::runtime_error(input->geterror());
-    if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.tile_width > 0 || spec.nchannels < 1)
-        throw std::runtime_error("its pixels are not rows of one picture");
-    if (spec.width > most_picture_side || spec.height > most_picture_side ||
-        std::int64_t{spec.width} * spec.height > most_picture_pixels)
-        throw std::runtime_error(std::to_string(spec.width) + "x" + std::to_string(spec.height) +
-                                 " texels are too many");
-    const bool is_linear = is_floating(spec.format);
-    const auto channels = std::size_t(spec.nchannels);
-    TexelLevel made{spec.width, spec.height, {}};
-    made.texels.reserve(std::size_t(spec.width) * std::size_t(spec.height));
-    std::vector<float> row(std::size_t(spec.width) * channels);
-    for (int y = 0; y < spec.height; ++y) {
-        if (!input->read_scanline(spec.y + y, 0, OIIO::TypeFloat, row.data()))
-            throw std::runtime_error(input->geterror());
-        for (std::size_t x = 0; x < std::size_t(spec.width); ++x) {
-            const float* texel = &row[x * channels];
-            std::array<std::uint8_t, 4> rgba{0, 0, 0, 255};
-            for (std::size_t c = 0; c < 3; ++c) rgba[c] = code_of(texel[channels >= 3 ? c : 0], is_linear);
-            if (channels == 2 || channels == 4) rgba[3] = code_of(texel[channels - 1], false);
-            made.texels.push_back(rgba);
-        }
-    }
+    TextureReader reader(bytes);
+    const bool is_linear = reader.is_linear();
+    TexelLevel made{reader.width(), reader.height(), {}};
+    made.texels.reserve(std::size_t(reader.width()) * std::size_t(reader.height()));
+    reader.for_each([&](const glm::vec4& texel) {
+        made.texels.push_back({code_of(texel.r, is_linear), code_of(texel.g, is_linear),
+                               code_of(texel.b, is_linear), code_of(texel.a, false)});
+    });
     return made;
 }
 

@@ -448,7 +448,7 @@ void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& ow
 
     const double level_error = 0.25 + scale_error;
     constexpr double cosine_error_of_level = 0x1p-12;
-    const auto level = int(at->texture->place.level);
+    const auto level = int(at->texture->level);
     const auto detail = [&](double cosine) {
         return level_of_detail(own.detail, own.distance, own.spread, std::max(cosine, 0.0));
     };

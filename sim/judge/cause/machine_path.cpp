@@ -41,9 +41,8 @@ void MachinePath::answered(const Closest& hit) {
         visit.hit = hit;
 }
 
-void MachinePath::filtered(const TexReq& hit, const TexRecord& record, const TexelPlace& place,
-                           const TexRsp& answer) {
-    visits[std::size_t(at_)].texture = MachineTexture{hit, record, place, answer.hole != 0};
+void MachinePath::filtered(const TexReq&, const TexRecord&, const TexelPlace& place, const TexRsp& answer) {
+    visits[std::size_t(at_)].texture = MachineTexture{place.level, answer.hole != 0};
 }
 
 void MachinePath::passed(const PassIn& in, const PassOut& out) {

@@ -16,9 +16,7 @@ struct MachineLight {
 
 /// The texture of a hit, as the machine read it.
 struct MachineTexture {
-    TexReq hit;
-    TexRecord record;
-    TexelPlace place;
+    std::uint32_t level = 0;
     bool is_hole = false;
 };
 

@@ -35,8 +35,7 @@ struct RefTexel {
     double spread = 0;     ///< sample_spread() of the picture
     double cosine = 1;     ///< between the reversed ray and the shading normal
     glm::dvec3 colour{0};
-    double alpha = 1;
-    bool is_hole = false;   ///< alpha is below the material's cut-off
+    bool is_hole = false;   ///< the picture's alpha is below the material's cut-off
 };
 
 /// A bounce that the tracer would send.

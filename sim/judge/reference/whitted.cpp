@@ -139,8 +139,8 @@ glm::dvec3 Tracer::picture(const RefPath& path, const RefClosest& hit, RefSurfac
                  std::abs(glm::dot(surface.normal, path.direction)), glm::dvec3(0)};
     const double lod = level_of_detail(own.detail, own.distance, own.spread, own.cosine);
     const glm::dvec4 found = filtered_with_alpha(texture, own.st, level_of(texture, lod));
-    own.colour = glm::dvec3(found), own.alpha = found.a;
-    own.is_hole = own.alpha < surface.material->cutoff;
+    own.colour = glm::dvec3(found);
+    own.is_hole = found.a < surface.material->cutoff;
     if (steer_) steer_->texel(hit, surface, own);
     surface.is_hole = own.is_hole;
     return own.colour;

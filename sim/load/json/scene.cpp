@@ -84,6 +84,8 @@ private:
             const JsonTexture given = texture_of(*texture);
             const JsonValue file = texture->raw().is_object() ? texture->at("file") : *texture;
             give_picture(made, given, file);
+        } else if (const auto cutoff = in.find("cutoff")) {
+            cutoff->refuse("makes holes by the alpha of a texture, and this material has no texture");
         }
         return made;
     }

@@ -310,7 +310,6 @@ void derived(Package& p, const Config& c) {
     p.constant("LevelBits", level_bits);
     p.constant("LevelFrac", level_frac);
     p.constant("LengthBits", length_bits);
-    p.constant("HoleBits", hole_bits);
     p.constant("LogIndexBits", log_index_bits);
     p.constant("SubPixelBits", sub_pixel_bits);
     p.constant("DepthBits", depth_bits);

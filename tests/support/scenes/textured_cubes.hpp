@@ -1,6 +1,7 @@
 #pragma once
 // A scene file with instances of one textured cube: moved, scaled, turned, mirrored and stretched.
 #include <cstdint>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -94,11 +95,41 @@ public:
                             "rotate": {"axis": [0, 1, 0], "degrees": 120}}]}]})");
     }
 
+    /// A band of four squares that grows to four times its length and turns. One second. If
+    /// `instance_paints`, its instance has the material with the texture, else its file.
+    std::string waving(bool instance_paints) const {
+        const auto band = [&](double step, double rise) {
+            std::ostringstream out;
+            out << "mtllib m.mtl\nusemtl painted\n";
+            for (int i = 0; i <= 4; ++i)
+                for (const int z : {-1, 1})
+                    out << "v " << i * step << ' ' << i % 2 * rise << ' ' << z << "\nvt " << i << ' ' << z
+                        << '\n';
+            for (int i = 1; i < 9; i += 2)
+                out << "f " << i << '/' << i << ' ' << i + 1 << '/' << i + 1 << ' ' << i + 3 << '/' << i + 3
+                    << ' ' << i + 2 << '/' << i + 2 << '\n';
+            return out.str();
+        };
+        folder_.write("flat.obj", band(0.25, 0));
+        folder_.write("long.obj", band(1, 0.5));
+        return scene(
+            "waving.json",
+            std::string(R"({"mesh": "band", "translate": [-1, 0, 0]})") +
+                (instance_paints ? R"(, {"mesh": "band", "material": "painted",
+                                                                 "translate": [-1, 1, 0]})"
+                                 : ""),
+            R"(, "band": {"shapes": [{"time": 0, "file": "flat.obj"}, {"time": 1, "file": "long.obj"}]})");
+    }
+
 private:
-    std::string scene(const std::string& name, const std::string& objects) const {
-        return folder_.write(name, R"({"meshes": {"cube": {"file": "m.obj"}, "net": {"file": "net.gltf"}},
+    std::string scene(const std::string& name, const std::string& objects,
+                      const std::string& meshes = {}) const {
+        return folder_.write(name, R"({"meshes": {"cube": {"file": "m.obj"}, "net": {"file": "net.gltf"})" +
+                                       meshes +
+                                       R"(},
             "camera": {"eye": [3, 3, 7], "at": [0, 0.5, 0], "fov_degrees": 45},
-            "materials": {"clay": {"colour": [0.8, 0.3, 0.2]}},
+            "materials": {"clay": {"colour": [0.8, 0.3, 0.2]},
+                          "painted": {"colour": [1, 1, 0.5], "texture": "p.png"}},
             "lights": [{"position": [4, 8, 6], "colour": [1, 1, 1]}],
             "objects": [)" + objects + "]}");
     }
