@@ -178,7 +178,9 @@ module rc_pipeline (
 
   // A ray starts in the cycle in which its engine accepts it.
   assign start_fires = ray_valid && ray_ready;
-  if (rc_pkg::Shading != 0) begin : gen_start
+  if (rc_pkg::HasTextures != 0) begin : gen_start_of_holes
+    assign start = {ray.ray, ray.kind, ray.holes};
+  end else if (rc_pkg::Shading != 0) begin : gen_start
     assign start = {ray.ray, ray.kind};
   end else begin : gen_camera_start
     assign start = ray.ray;

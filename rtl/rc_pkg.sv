@@ -77,6 +77,8 @@ package rc_pkg;
   localparam int unsigned Shades = 0;
   localparam int unsigned Streams = 0;
   localparam int unsigned HasTextures = 0;
+  localparam int unsigned HasKinds = 0;
+  localparam int unsigned HoleBits = 6;
   localparam int unsigned Homes = 0;
   localparam int unsigned OriginWidth = 18;
   localparam int unsigned PointWidth = 18;
@@ -226,7 +228,8 @@ package rc_pkg;
   typedef enum logic [1:0] {
     PrimTriangle = 2'd0,
     PrimPlane = 2'd1,
-    PrimSphere = 2'd2
+    PrimSphere = 2'd2,
+    PrimCutout = 2'd3
   } prim_kind_e;
   typedef enum logic [31:0] {
     TestExact = 32'd0,
@@ -246,7 +249,8 @@ package rc_pkg;
   typedef enum logic [1:0] {
     PendingNone = 2'd0,
     PendingAnswer = 2'd1,
-    PendingSure = 2'd2
+    PendingSure = 2'd2,
+    PendingTexture = 2'd3
   } pending_e;
   typedef enum logic [1:0] {
     LeaveAgain = 2'd0,

@@ -40,6 +40,7 @@ std::vector<PrimData> snap_primitives(const Scene& scene, const Lattice& lattice
     tbb::parallel_for(std::size_t(0), all.size(),
                       [&](std::size_t i) { all[i] = snap_primitive(scene, lattice, i); });
     std::erase_if(all, [&](const PrimData& t) { return !counts(t, config); });
+    mark_cutouts(scene.triangles, scene.coordinates, scene.materials, config, all);
     return all;
 }
 
@@ -65,7 +66,7 @@ LatticeBox box_of(const PrimData& prim, int coord_bits) {
 std::vector<LatticeBox> boxes_of(const std::vector<PrimData>& triangles, const Config& config) {
     std::vector<LatticeBox> boxes(triangles.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-        if (PrimKind(triangles[i].kind) != PrimKind::triangle) {
+        if (!triangles[i].is_triangle()) {
             boxes[i] = box_of(triangles[i], config.coord_bits);
             continue;
         }

@@ -218,6 +218,17 @@ PrimData snap_primitive(const Scene& scene, const Lattice& lattice, std::size_t 
     return prim;
 }
 
+void mark_cutouts(const std::vector<Triangle>& triangles, const std::vector<CornerCoordinates>& coordinates,
+                  const std::vector<Material>& materials, const Config& config,
+                  std::vector<PrimData>& prims) {
+    if (!config.has_textures() || coordinates.empty()) return;
+    for (PrimData& prim : prims) {
+        if (PrimKind(prim.kind) != PrimKind::triangle) continue;
+        const Material& material = materials[triangles[prim.prim].material];
+        if (material.texture && material.cutoff > 0) prim.kind = std::uint32_t(PrimKind::cutout);
+    }
+}
+
 std::size_t drop_coincident_spheres(std::vector<PrimData>& prims) {
     std::set<std::array<std::int32_t, 5>> seen;
     return std::erase_if(prims, [&](const PrimData& p) {

@@ -18,6 +18,11 @@ std::optional<Scene> align_large_triangles(const Scene& scene, const Lattice& la
 /// Returns primitive number i on the lattice.
 PrimData snap_primitive(const Scene& scene, const Lattice& lattice, std::size_t i);
 
+/// Sets the kind of those that are cut-outs: with textures, triangles whose material has a picture and a
+/// cut-off. PrimData::prim is the number of a triangle.
+void mark_cutouts(const std::vector<Triangle>& triangles, const std::vector<CornerCoordinates>& coordinates,
+                  const std::vector<Material>& materials, const Config& config, std::vector<PrimData>& prims);
+
 /// Removes each sphere with the centre and radius of an earlier one, and returns how many it removed. The
 /// machine excludes the sphere that a ray leaves by its number, so the ray would meet the other one there
 /// (docs/proofs/who-checks-the-rules.md, Two spheres at one place).

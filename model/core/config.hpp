@@ -132,7 +132,8 @@ struct Config {
     int approach_shift() const;   ///< the last step of an approach is 2^this directions long
     /// Bits of a direction component: M, or the bits that a shadow ray needs.
     int ray_dir_bits() const { return shading ? coord_bits + origin_bits + 1 : dir_bits; }
-    bool has_kinds() const { return spheres || planes; }   ///< the chip has several kinds of primitives
+    /// The chip has several kinds of primitives.
+    bool has_kinds() const { return spheres || planes || has_textures(); }
     /// Bits of a light's coordinate, signed, in lattice steps.
     int light_bits() const { return coord_bits + light_reach; }
     /// Bits of the normal of a triangle or sphere, not of unit length.

@@ -56,10 +56,12 @@ inline void set_line_kind(std::uint32_t* line, LineKind kind) {
     line[15] |= std::uint32_t(kind) << line_kind_shift;
 }
 
-enum class PrimKind : std::uint32_t { triangle, plane, sphere };
+/// A cut-out is a triangle whose texture may have holes (TexRecord::cutoff). In a chip without textures all
+/// triangles are of kind `triangle`.
+enum class PrimKind : std::uint32_t { triangle, plane, sphere, cutout };
 
 /// A primitive in 32 bytes of memory (right-aligned), and its number.
-/// - Triangle: its corners a, b, c on the lattice.
+/// - Triangle or cut-out: its corners a, b, c on the lattice.
 /// - Plane: a point a; b - a and c - a are the sides of its checkers' squares, halved or doubled:
 ///   model/compile/plane.hpp.
 /// - Sphere: a is its centre. b[0] and b[1] are the lower and upper N bits of its squared radius in lattice
@@ -68,6 +70,9 @@ struct PrimData {
     Vec3i a{}, b{}, c{};
     std::uint32_t prim = 0;
     std::uint32_t kind = 0;   ///< PrimKind
+    bool is_triangle() const {
+        return PrimKind(kind) == PrimKind::triangle || PrimKind(kind) == PrimKind::cutout;
+    }
     template <class V> void fields(V& v, const Config& c_) {
         if (c_.has_kinds()) v("prim_kind", kind, 2);
         v("a", a, c_.coord_bits, 3);

@@ -64,6 +64,7 @@ struct Spawn {
     std::uint32_t x = 0, y = 0, sample = 0;
     std::uint32_t partial = 0;            ///< as in Ray
     std::uint32_t self = 0, inside = 0;   ///< as in Ray
+    std::uint32_t holes = 0;              ///< as in Ray
     Vec3i o{};                            ///< N + B bits, B of them fraction
     Vec3i d{};                            ///< N + B + 1 bits
     Home home;                            ///< as in Ray
@@ -73,6 +74,7 @@ struct Spawn {
         v("x", x, c.pixel_bits);
         v("y", y, c.pixel_bits);
         v("sample", sample, sample_bits);
+        if (c.has_textures()) v("holes", holes, hole_bits);
         if (c.planes) v("is_partial", partial, 1);
         if (c.spheres) v("self", self, c.prim_bits);
         if (c.spheres) v("is_inside", inside, 1);
@@ -119,11 +121,15 @@ struct Ray {
     /// 1: the ray meets only some primitives. A ray to or from a light meets those that have an end. A bounce
     /// meets planes, and begins beyond the lattice, at o 2^far_drop.
     std::uint32_t partial = 0;
+    /// With textures, for a ray to or from a light: the number of cut-outs in its way that have a hole there.
+    /// They are the first ones in the order of the tests, and the ray ignores them.
+    std::uint32_t holes = 0;
     Home home;   ///< with instances, if this is not a camera ray
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         if (c.is_sheared()) shear.fields(v, c);
         if (c.shading) v("kind", kind, 2);
+        if (c.has_textures()) v("holes", holes, hole_bits);
         if (c.planes) v("is_partial", partial, 1);
         if (c.spheres) v("self", self, c.prim_bits);
         if (c.spheres) v("is_inside", inside, 1);
@@ -139,10 +145,12 @@ struct Ray {
 /// from the ray's transfer to trav, which could carry the same ray with a new direction.
 struct Start {
     std::uint32_t ray = 0;
-    std::uint32_t kind = 0;   ///< RayKind
+    std::uint32_t kind = 0;    ///< RayKind
+    std::uint32_t holes = 0;   ///< as in Ray
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         if (c.shading) v("kind", kind, 2);
+        if (c.has_textures()) v("holes", holes, hole_bits);
     }
 };
 
@@ -224,7 +232,8 @@ struct TriReq {
 };
 
 /// tri -> list: 1 in `closer` if this primitive is the closest so far, with the hit; otherwise all zero. For
-/// a shadow ray `closer` means that the way is blocked, and the rest is zero.
+/// a ray to or from a light `closer` means that the primitive is in the way. The rest is then zero, except for
+/// a cut-out.
 struct TriRsp {
     std::uint32_t ray = 0;
     std::uint32_t closer = 0;
@@ -236,9 +245,11 @@ struct TriRsp {
     std::uint32_t u = 0, v = 0;
     /// If the chip shades: 1 if seen from inside, or from the side to which (b - a) x (c - a) does not point.
     std::uint32_t back = 0;
+    std::uint32_t cutout = 0;   ///< with textures: 1 if a cut-out is in the way to or from a light
     template <class V> void fields(V& v_, const Config& c) {
         v_("ray", ray, c.ray_bits());
         v_("closer", closer, 1);
+        if (c.has_textures()) v_("cutout", cutout, 1);
         if (c.shading) v_("back", back, 1);
         v_("num", num, c.num_bits());
         v_("det", det, c.edge_bits());
@@ -267,17 +278,19 @@ struct Done {
     template <class V> void fields(V& v, const Config& c) { v("ray", ray, c.ray_bits()); }
 };
 
-/// list -> sched or shade: the closest hit of a finished ray. For a shadow ray: 1 in `found` if it is
-/// blocked, and zeros.
+/// list -> sched or shade: the closest hit of a finished ray. For a ray to or from a light: 1 in `found` if
+/// something is in its way, and zeros. For a cut-out the other fields are those of the hit.
 struct Closest {
     std::uint32_t ray = 0;
     std::uint32_t found = 0;
     std::uint32_t prim = 0, t = 0, u = 0, v = 0;   ///< zero if not found
     std::uint32_t back = 0;                        ///< if the chip shades; as in TriRsp
     std::uint32_t instance_line = 0;   ///< if the chip also has instances: of the instance hit; 0 in a pixel
+    std::uint32_t cutout = 0;          ///< with textures, as in TriRsp; 0 in a pixel
     template <class V> void fields(V& v_, const Config& c) {
         v_("ray", ray, c.ray_bits());
         if (c.has_homes()) v_("place", instance_line, c.addr_bits);
+        if (c.has_textures()) v_("cutout", cutout, 1);
         v_("found", found, 1);
         if (c.shading) v_("back", back, 1);
         v_("prim", prim, c.prim_bits);
@@ -292,11 +305,13 @@ inline bool same_answer(const Closest& a, const Closest& b) {
            a.back == b.back;
 }
 
-/// shade -> tex: the hit of a triangle with a texture.
+/// shade -> tex: the hit of a triangle with a texture. For a cut-out in the way to a light: path 0, cosine 1,
+/// scale 0.
 struct TexReq {
     std::uint32_t ray = 0;
     std::uint32_t record = 0;   ///< as in Surface
-    /// Approximate length of the path from the eye to the hit: units of 2^-F lattice steps, saturated.
+    /// Approximate length of the path from the eye to the hit: units of 2^-F lattice steps, saturated. 0 asks
+    /// for level 0.
     std::uint32_t path = 0;
     std::uint32_t cosine = 0;     ///< between view and normal, 0..1, unit_bits fraction bits
     std::uint32_t u = 0, v = 0;   ///< of the hit, as in Closest

@@ -91,6 +91,10 @@ private:
     void compile_class(std::size_t c) {
         const MeshClass& made = out_.maps.classes[c];
         std::vector<PrimData> prims = snapped(parts_, made, config_);
+        if (!parts_.is_round(made.mesh)) {
+            const SharedMesh& mesh = *parts_.meshes[made.mesh];
+            mark_cutouts(mesh.triangles, mesh.coordinates, materials_, config_, prims);
+        }
         image_.report.coincident += drop_coincident_spheres(prims);
         if (made.deforms)
             out_.rooms[c] = aligned(std::uint32_t(

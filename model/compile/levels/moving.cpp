@@ -178,7 +178,9 @@ void MovingLevels::follow(const PlacedScene& scene, double rebuild, std::size_t 
         if (mesh.triangles.empty()) continue;
         MeshClass& made = levels_.maps.classes[follower.mesh_class];
         take_shape(made, mesh, config_);
-        const bool is_built = follower.tree.follow(snapped_triangles(mesh, made, config_), rebuild);
+        std::vector<PrimData> prims = snapped_triangles(mesh, made, config_);
+        mark_cutouts(mesh.triangles, mesh.coordinates, scene.own.materials, config_, prims);
+        const bool is_built = follower.tree.follow(std::move(prims), rebuild);
         ++(is_built ? upload.rebuilt : upload.refitted);
         upload.cost = std::max(upload.cost, follower.tree.ratio());
         upload.nodes += follower.tree.report().nodes;

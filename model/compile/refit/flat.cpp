@@ -46,6 +46,7 @@ std::vector<PrimData> RefittedScene::snapped(const Scene& scene) const {
     std::vector<PrimData> all(primitive_count(scene));
     tbb::parallel_for(std::size_t(0), all.size(),
                       [&](std::size_t i) { all[i] = snap_primitive(scene, image_.lattice, i); });
+    mark_cutouts(scene.triangles, scene.coordinates, scene.materials, config_, all);
     return all;
 }
 

@@ -48,7 +48,7 @@ Facets::Facets(const std::vector<PrimData>& prims, const cells::Pieces& pieces, 
 
 Facets::Normals Facets::normals_of(const PrimData& prim) {
     Normals normals{};
-    if (PrimKind(prim.kind) != PrimKind::triangle) return normals;
+    if (!prim.is_triangle()) return normals;
     const std::array corners{point(prim.a), point(prim.b), point(prim.c)};
     const glm::dvec3 across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     normals[0] = nearest_normal(across);

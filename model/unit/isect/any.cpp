@@ -60,7 +60,7 @@ void flat_test(const Ray& ray, const PrimData& prim, const Best& best, const Con
     const bool shadow = RayKind(ray.kind) == RayKind::shadow;
     const int frac = config.origin_frac() - (is_far(ray) ? far_drop : 0),
               scale = leaves_surface(ray, config) ? frac : 0;
-    const bool edges_count = PrimKind(prim.kind) == PrimKind::triangle;
+    const bool edges_count = PrimKind(prim.kind) != PrimKind::plane;
     Edges<Wide> e;
     bool flip = false;
     if (!meet(offset(ray.o, prim.a, frac, scale), {ray.d[0], ray.d[1], ray.d[2]}, prim, scale, edges_count, e,
@@ -68,15 +68,16 @@ void flat_test(const Ray& ray, const PrimData& prim, const Best& best, const Con
         return;
     assert(e.num >> (config.num_bits() - 1) == 0 && e.det >> (config.edge_bits() - 1) == 0 &&
            "num and det fit their widths");
-    if (shadow) {
-        out.closer = e.num * (Wide(1) << frac) < e.det;
-        return;
-    }
     if (ends_at_any(ray.kind)) {
-        out.closer = 1;
+        const bool is_in_way = !shadow || e.num * (Wide(1) << frac) < e.det;
+        out.cutout = is_in_way && PrimKind(prim.kind) == PrimKind::cutout;
+        if (!out.cutout) {
+            out.closer = is_in_way;
+            return;
+        }
+    } else if (!goes_before(e.num, e.det, prim.prim, best)) {
         return;
     }
-    if (!goes_before(e.num, e.det, prim.prim, best)) return;
     put_hit(e, flip, prim.prim, config, out);
     out.t = distance_of(e.num, config.dir_bits - 1 + config.t_frac_bits, e.det, config);
     out.u = coordinate(e.u, e.det, config);

@@ -14,7 +14,7 @@ using TriTest = void(const Vec3i& o, const Vec3i& d, const PrimData& triangle, c
 
 /// Fills the answer of a test without a hit.
 inline void no_hit(TriRsp& out) {
-    out.closer = out.back = 0;
+    out.closer = out.back = out.cutout = 0;
     out.num = out.det = 0;
     out.prim = out.t = out.u = out.v = 0;
 }

@@ -6,19 +6,24 @@
 namespace rayclock {
 
 /// The best hit of a ray so far, and its distance to beat. A ray to or from a light ends with the first
-/// primitive in its way. A shadow ray also ends at t = 2^-B: see reach_of().
+/// primitive in its way, but ignores its first Ray::holes cut-outs. A shadow ray also ends at t = 2^-B: see
+/// reach_of().
 class BestHit {
 public:
     BestHit() = default;
     BestHit(const Start& start, std::uint32_t reach)
-        : ray_(start.ray), reach_(reach), any_(ends_at_any(start.kind)) {}
+        : ray_(start.ray), reach_(reach), holes_(start.holes), any_(ends_at_any(start.kind)) {}
 
     /// Accepts tri's answer. `instance_line` is Closest's.
     void take(const TriRsp& tri, std::uint32_t instance_line = 0) {
         if (!tri.closer) return;
+        if (tri.cutout && holes_ > 0) {
+            --holes_;
+            return;
+        }
         best_ = {1, tri.num, tri.det, tri.prim};
-        // Zeros if any hit ends the ray.
-        found_ = {ray_, 1, tri.prim, tri.t, tri.u, tri.v, tri.back, instance_line};
+        // Zeros if any hit ends the ray and this is no cut-out.
+        found_ = {ray_, 1, tri.prim, tri.t, tri.u, tri.v, tri.back, instance_line, tri.cutout};
         reach_ = tri.t;
     }
     const Best& best() const { return best_; }
@@ -28,7 +33,8 @@ public:
 
 private:
     std::uint32_t ray_ = 0, reach_ = 0;
-    bool any_ = false;   // any hit ends the ray
+    std::uint32_t holes_ = 0;   // cut-outs that the ray will still ignore
+    bool any_ = false;          // any hit ends the ray
     Best best_;
     Closest found_;
 };

@@ -90,6 +90,7 @@ Ray spawn_ray(const Spawn& spawn, const Frame& frame, const Config& config) {
     ray.self = spawn.self;
     ray.inside = spawn.inside;
     ray.partial = spawn.partial;
+    ray.holes = spawn.holes;
     ray.home = spawn.home;
     return ray;
 }

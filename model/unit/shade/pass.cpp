@@ -146,6 +146,7 @@ void send_shadow(const PassIn& in, const Frame& frame, const Config& c, PassOut&
     const bool to_the_point = near && !s.far;
     out.spawn = spawn_of(in, s, to_the_point ? RayKind::shadow : RayKind::away);
     out.spawn.self = s.self, out.spawn.inside = s.inside;
+    out.spawn.holes = s.light_holes;
     out.spawn.partial = c.planes && !to_the_point && clear;
     out.spawn.o = *start;
     out.spawn.d = found.d;
@@ -227,6 +228,16 @@ void show_texture(const PassIn& in, const Frame& frame, const Config& c, PassOut
     if (c.has_homes()) out.spawn.home = home_of(s, in.d, in.placement, c);
 }
 
+/// Handles a shadow ray that has met a cut-out: requests the cut-out's texture at level 0. With two levels
+/// the instance's own material may have no texture; then the cut-out has no holes.
+void request_cutout(const PassIn& in, PassOut& out) {
+    const std::uint32_t record = in.surface.record;
+    if (record == 0) return;
+    out.state.pending = std::uint32_t(Pending::texture);
+    out.leave = PassOut::Leave::texture;
+    out.tex = {in.ray, record, 0, full_weight, in.hit.u, in.hit.v, 0};
+}
+
 /// Finishes a sample, and starts the next one or ends the pixel.
 void finish(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
@@ -275,7 +286,13 @@ PassOut pass(const PassIn& in, const Frame& frame, const Config& c) {
     const Pending pending = Pending(s.pending);
     if (pending == Pending::sure || (pending == Pending::answer && !in.hit.found)) add(s.colour, s.share);
     s.pending = std::uint32_t(Pending::none);
-    switch (ShadeEvent(s.next_event)) {
+    if (meets_cutout(in)) {
+        request_cutout(in, out);
+        return out;
+    }
+    s.light_holes = passes_hole(in) ? s.light_holes + 1 : 0;
+    s.light -= passes_hole(in);
+    switch (event_of(in)) {
         case ShadeEvent::arrive: arrive(in, frame, c, out); break;
         case ShadeEvent::light: send_shadow(in, frame, c, out); break;
         case ShadeEvent::refract: send_refracted(in, frame, c, out); break;

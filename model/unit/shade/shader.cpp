@@ -55,7 +55,9 @@ int Shader::run() {
     int passes = 0;
     texture_.reset();
     do {
-        const ShadeEvent event = ShadeEvent(in_.state.next_event);
+        const ShadeEvent event = event_of(in_);
+        const bool was_cutout = meets_cutout(in_), was_hole = passes_hole(in_),
+                   asks_texture = Pending(in_.state.pending) == Pending::texture;
         if (event == ShadeEvent::pop && in_.state.waiting > 0) in_.top = stack_.back();
         out_ = pass(in_, *frame_, *config_);
         if (event == ShadeEvent::pop && out_.leave == PassOut::Leave::spawn && !stack_.empty())
@@ -67,6 +69,8 @@ int Shader::run() {
         if (event == ShadeEvent::light && out_.leave == PassOut::Leave::again &&
             Pending(out_.state.pending) == Pending::sure)
             signature_.asked(false);   // nothing can block the light, so no ray is sent
+        if ((asks_texture && !was_hole) || (was_cutout && out_.leave == PassOut::Leave::again))
+            signature_.asked(true);   // the cut-out has no hole there
         if (watch_) watch_->passed(in_, out_);
         in_.state = out_.state;
         count(event);

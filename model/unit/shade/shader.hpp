@@ -44,11 +44,12 @@ public:
     template <class SurfaceAt> void arrived(const Closest& hit, const SurfaceAt& surface_at) {
         in_.hit = hit;
         if (wants_surface() && config_->has_homes())
-            in_.placement = unpack<Placement>(image_->line(hit.instance_line), *config_);
+            instance_ = unpack<Placement>(image_->line(hit.instance_line), *config_);
+        if (is_arrival() && hit.found) in_.placement = instance_;
         if (watch_) watch_->answered(hit);
         if (is_arrival())
             signature_.met(hit.found ? hit.prim : no_primitive);
-        else
+        else if (!meets_cutout(in_))   // otherwise its texture decides
             signature_.asked(hit.found != 0);
         if (wants_surface()) {
             in_.surface = surface_at(surface_line());
@@ -57,18 +58,19 @@ public:
         lines_ = !config_->has_homes() ? 0 : material_line() != 0 ? 2 : 1;
         counts_.primary_hits += is_arrival() && hit.found && in_.state.depth == 0 && in_.state.holes == 0;
     }
-    /// True if a surface must arrive before the next pass. surface_line() is its line.
-    bool wants_surface() const { return is_arrival() && in_.hit.found != 0; }
+    /// True if a surface must arrive before the next pass: that of a hit, or of a cut-out in the way to a
+    /// light. surface_line() is its line.
+    bool wants_surface() const { return (is_arrival() && in_.hit.found != 0) || meets_cutout(in_); }
     std::uint32_t surface_line() const {
         if (config_->has_homes())
-            return (in_.placement.first_surface_line + in_.hit.prim) & ((1u << config_->addr_bits) - 1);
+            return (instance_.first_surface_line + in_.hit.prim) & ((1u << config_->addr_bits) - 1);
         return frame_->shade.first_surface_line + in_.hit.prim;
     }
     Surface surface_at(std::uint32_t line) const { return unpack<Surface>(image_->line(line), *config_); }
     /// With two levels these lines come before the surface: the instance, then its material if it has one for
     /// all its primitives.
     std::uint32_t placement_line() const { return in_.hit.instance_line; }
-    std::uint32_t material_line() const { return config_->has_homes() ? in_.placement.material : 0; }
+    std::uint32_t material_line() const { return config_->has_homes() ? instance_.material : 0; }
     /// For callers that see lines arrive one by one. next_line() is the line awaited. got_line() records its
     /// arrival and returns true if it was the surface.
     std::uint32_t next_line() const {
@@ -109,6 +111,7 @@ private:
     ShadeWatch* watch_ = nullptr;
     ShadeEvent last_ = ShadeEvent::arrive;   ///< event of the last pass
     PassIn in_;
+    Placement instance_;   ///< with two levels: that of the last answer
     PassOut out_;
     std::vector<Waiting> stack_;
     std::optional<Texture> texture_;

@@ -1,6 +1,7 @@
 #pragma once
 // The state that the unit shade keeps of a context between two passes, and the inputs and outputs of a pass.
 #include "model/core/payloads.hpp"
+#include "model/scene/whitted.hpp"
 
 namespace rayclock {
 
@@ -16,7 +17,12 @@ enum class ShadeEvent : std::uint32_t {
 };
 
 /// When the next pass adds the contribution of a light at its beginning.
-enum class Pending : std::uint32_t { none, answer /**< if the shadow ray met nothing */, sure };
+enum class Pending : std::uint32_t {
+    none,
+    answer,   ///< if the shadow ray met nothing
+    sure,
+    texture   ///< never: the shadow ray has met a cut-out, whose texture decides
+};
 
 /// The state of a context. Fractions have unit_bits bits unless stated otherwise.
 struct ShadeState {
@@ -52,6 +58,8 @@ struct ShadeState {
     // The light.
     std::uint32_t light = 0;
     std::array<std::uint32_t, 3> share{};   ///< its contribution if it is not blocked
+    /// With textures: number of holes that the light passes on its way; at most most_holes.
+    std::uint32_t light_holes = 0;
     std::uint32_t total = 0;                ///< the refracted ray was totally reflected
     friend bool operator==(const ShadeState&, const ShadeState&) = default;
     /// Fields are in the groups that a chip stores and writes separately (rtl/unit/shade/rc_contexts.sv): the
@@ -79,6 +87,7 @@ struct ShadeState {
         if (c.has_textures()) {
             v_("path", path, c.t_bits());
             v_("holes", holes, hole_bits);
+            v_("light_holes", light_holes, hole_bits);
         }
         v_("o", o, c.point_width(), 3);
         v_("normal", normal, unit_bits + 2, 3);
@@ -146,13 +155,26 @@ struct PassIn {
     ShadeState state;
     Closest hit;                            ///< the last ray's answer
     Vec3i o{}, d{};                         ///< of the last camera ray or bounce
-    Surface surface;                        ///< of an arrive event with a hit
+    Surface surface;                        ///< of an arrive event with a hit, or of a cut-out
     Waiting top;                            ///< of a pop event: the stack's top
     std::array<std::uint32_t, 3> texel{};   ///< of a texture event: TexRsp::colour
     std::uint32_t hole = 0;                 ///< of a texture event: as in TexRsp
     /// With two levels: the instance that was hit last. Only `here`, a and b are used.
     Placement placement{};
 };
+/// True if a shadow ray has met a cut-out. The pass requests its texture and handles no event.
+inline bool meets_cutout(const PassIn& in) {
+    return Pending(in.state.pending) == Pending::answer && in.hit.found && in.hit.cutout;
+}
+/// True if the cut-out that a shadow ray has met has a hole there. The pass sends the ray again, and the next
+/// ray ignores one cut-out more. So the pass repeats the event light.
+inline bool passes_hole(const PassIn& in) {
+    return Pending(in.state.pending) == Pending::texture && in.hole && in.state.light_holes < most_holes;
+}
+/// Returns the event that a pass handles, unless meets_cutout().
+inline ShadeEvent event_of(const PassIn& in) {
+    return passes_hole(in) ? ShadeEvent::light : ShadeEvent(in.state.next_event);
+}
 /// Intermediate values of a light's pass, for judges.
 struct LightParts {
     Vec3i unit{};               ///< towards the light

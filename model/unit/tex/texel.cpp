@@ -81,6 +81,7 @@ std::uint32_t log_of(std::uint32_t x) {
 }
 
 std::uint32_t level_of(const TexReq& hit, const TexRecord& record, std::int32_t spread) {
+    if (hit.path == 0) return 0;
     const std::int32_t cosine = unit_bits << level_frac;   // the logarithm of a cosine of 1
     const std::int32_t slant = std::max(cosine - std::int32_t(log_of(hit.cosine)), 0) >> 1;
     const std::int32_t level = record.density + hit.scale + spread + std::int32_t(log_of(hit.path)) + slant;

@@ -54,8 +54,9 @@ module rc_tri (
   localparam int unsigned Core  = rc_pkg::Spheres == 1 && Ball > Flat ? Ball : Flat;
   localparam int unsigned Extra = Latency - Core;
   localparam int unsigned BackW  = rc_pkg::Shading;
-  // Closer, back, num, det, prim.
-  localparam int unsigned TailW  = 1 + BackW + NumBits + EdgeBits + PrimBits;
+  localparam int unsigned CutoutW = rc_pkg::HasTextures;
+  // Closer, cutout, back, num, det, prim.
+  localparam int unsigned TailW  = 1 + CutoutW + BackW + NumBits + EdgeBits + PrimBits;
   localparam int unsigned HitW   = TailW + TBits + 2 * UvBits;
 
   if (Latency < Core) begin : gen_refuse
@@ -109,6 +110,7 @@ module rc_tri (
   logic                            in_any;      // any hit will do: a ray from or to a light
   logic                            in_leaves;   // from a surface: a bounce, or away to a light
   logic                            in_plane, in_sphere;
+  logic                            in_cutout;   // a cut-out, for such a ray: its texture decides
   // The ray begins beyond the lattice, and tests planes only.
   logic                            in_far;
   logic                            in_skips;    // the ray does not test such a primitive
@@ -127,12 +129,14 @@ module rc_tri (
     assign in_leaves = 1'b0;
   end
 
-  if (rc_pkg::Planes == 1 || rc_pkg::Spheres == 1) begin : gen_prim_kind
+  if (rc_pkg::HasKinds == 1) begin : gen_prim_kind
     assign in_plane  = rc_pkg::Planes == 1 && in.prim_kind == rc_pkg::PrimPlane;
     assign in_sphere = rc_pkg::Spheres == 1 && in.prim_kind == rc_pkg::PrimSphere;
+    assign in_cutout = rc_pkg::HasTextures == 1 && in_any && in.prim_kind == rc_pkg::PrimCutout;
   end else begin : gen_triangle
     assign in_plane  = 1'b0;
     assign in_sphere = 1'b0;
+    assign in_cutout = 1'b0;
   end
 
   if (rc_pkg::Planes == 1) begin : gen_partial
@@ -284,7 +288,7 @@ module rc_tri (
   logic [NumBits-1:0]  pre_num;
   logic [EdgeBits-1:0] pre_u, pre_v;
   logic [PrimBits-1:0] pre_prim;
-  logic                pre_any, pre_back, pre_u_neg, pre_v_neg;
+  logic                pre_any, pre_cutout, pre_back, pre_u_neg, pre_v_neg;
 
   rc_interval_delay #(.Width(NumBits + 3 * EdgeBits + 3), .Stages(Compare), .Every(Interval))
   u_hit_aside (
@@ -292,9 +296,23 @@ module rc_tri (
     .data_i({f0_num, f0_det, f0_u, f0_v, f0_back, f0_u_neg, f0_v_neg}),
     .data_o({pre_num, pre_det, pre_u, pre_v, pre_back, pre_u_neg, pre_v_neg}));
 
-  rc_interval_delay #(.Width(PrimBits + 1), .Stages(Pre - In), .Every(Interval)) u_prim (
+  rc_interval_delay #(.Width(PrimBits + 1 + CutoutW), .Stages(Pre - In), .Every(Interval)) u_prim (
     .clk_i, .rst_ni, .enable_i(flat_enable[Pre-1:In]), .valid_i(flat[Pre-1:In]),
-    .data_i({in.prim, in_any}), .data_o({pre_prim, pre_any}));
+    .data_i(in_number), .data_o(pre_number));
+
+  logic [PrimBits+CutoutW:0] in_number, pre_number;
+
+  if (rc_pkg::HasTextures == 1) begin : gen_cutout
+    assign in_number                       = {in_cutout, in.prim, in_any};
+    assign {pre_cutout, pre_prim, pre_any} = pre_number;
+  end else begin : gen_no_cutout
+    assign in_number           = {in.prim, in_any};
+    assign {pre_prim, pre_any} = pre_number;
+    assign pre_cutout          = 1'b0;
+
+    logic unused;
+    assign unused = in_cutout;
+  end
 
   // ---- Divisions. Numerator, determinant and number wait.
   localparam int unsigned Divide = rc_pkg::HitdivStages;
@@ -302,8 +320,8 @@ module rc_tri (
   logic [TBits-1:0]  t;
   logic [UvBits-1:0] u, v;
 
-  assign pre_divide = flat[Pre] && pre_closer_q && !pre_any;
-  assign pre_block  = flat[Pre] && pre_closer_q && pre_any;
+  assign pre_divide = flat[Pre] && pre_closer_q && (!pre_any || pre_cutout);
+  assign pre_block  = flat[Pre] && pre_closer_q && pre_any && !pre_cutout;
 
   rc_hitdiv #(.DenW(DenW)) u_hitdiv (
     .clk_i, .enable_i(Cut != 0 || pre_divide), .valid_i(pre_divide),
@@ -319,7 +337,9 @@ module rc_tri (
 
   logic [TailW-2:0]  pre_tail, tail;
 
-  if (rc_pkg::Shading == 1) begin : gen_back
+  if (rc_pkg::HasTextures == 1) begin : gen_back_and_cutout
+    assign pre_tail = {pre_cutout, pre_back, pre_num, pre_det, pre_prim};
+  end else if (rc_pkg::Shading == 1) begin : gen_back
     assign pre_tail = {pre_back, pre_num, pre_det, pre_prim};
   end else begin : gen_no_back
     assign pre_tail = {pre_num, pre_det, pre_prim};
@@ -421,8 +441,8 @@ module rc_tri (
     assign closer  = flat_closer || late_closer;
     assign blocked = flat_block || late_blocked;
     assign hit     = flat_closer ? flat_hit
-                   : {late_far, {(NumBits-TBits){1'b0}}, late_t, Unit, ball_prim, late_t,
-                      {(2*UvBits){1'b0}}};
+                   : (HitW-1)'({late_far, {(NumBits-TBits){1'b0}}, late_t, Unit, ball_prim, late_t,
+                                {(2*UvBits){1'b0}}});
   end else begin : gen_no_sphere
     assign closer  = closer_q[Divide-1];
     assign blocked = block_q[Divide-1];

@@ -5,7 +5,8 @@
 //
 // A ray from or to a light (kinds shadow and away) ends with the first primitive in its way. No
 // other is tested, and trav gets a stop. A shadow ray also ends at t = 2^-B: its distance to beat
-// is 2^(N+F).
+// is 2^(N+F). With textures a ray to or from a light passes a number of cut-outs that it meets
+// (start_i.holes), as if it did not meet them. The next one ends it.
 //
 // Leaves and an answer of tri are accepted in every cycle. trav sends leaves only if the nearest is
 // not beyond the distance to beat, so the first triangle of the nearest leaf is always tested. An
@@ -103,7 +104,7 @@ module rc_list (
   localparam int unsigned BestW    = rc_pkg::BestW;
   localparam int unsigned KeptHitW = rc_pkg::KeptHitW;
 
-  logic                s1_fires, s1_closer;
+  logic                s1_fires, s1_hits, s1_closer;   // hits: tri's closer
   logic [RayBits-1:0]  s1_ray;
   logic [TBits-1:0]    s1_rsp_t;
   rc_pkg::best_t       s0_best;
@@ -118,13 +119,16 @@ module rc_list (
   if (rc_pkg::Shading != 0) begin : gen_side
     assign s0_hit.back = s0_rsp.back;
   end
+  if (rc_pkg::HasTextures == 1) begin : gen_cutout
+    assign s0_hit.cutout = s0_rsp.cutout;
+  end
   assign s0_hit.prim = s0_rsp.prim;
   assign s0_hit.t    = s0_rsp.t;
   assign s0_hit.u    = s0_rsp.u;
   assign s0_hit.v    = s0_rsp.v;
 
   rc_pulse_register u_s1_fires (.clk_i, .rst_ni, .fires_i(s0_fires), .fires_o(s1_fires));
-  rc_pulse_register u_s1_closer (.clk_i, .rst_ni, .fires_i(s0_closer), .fires_o(s1_closer));
+  rc_pulse_register u_s1_hits (.clk_i, .rst_ni, .fires_i(s0_closer), .fires_o(s1_hits));
   rc_path_register #(.Width(RayBits + TBits + BestW + KeptHitW)) u_s1_kept (
     .clk_i, .data_i({s0_rsp.ray, s0_rsp.t, s0_best, s0_hit}),
     .data_o({s1_ray, s1_rsp_t, s1_best, s1_hit}));
@@ -153,6 +157,41 @@ module rc_list (
       .clk_i, .flags_i(any_hit), .index_i(s0_rsp.ray), .flag_o(ends_at_any));
   end else begin : gen_camera
     assign ends_at_any = 1'b0;
+  end
+
+  // ---- Cut-outs with holes. A ray passes the first ones. The count is 0 until it has passed one.
+  if (rc_pkg::HasTextures == 1) begin : gen_holes
+    localparam int unsigned HoleBits = rc_pkg::HoleBits;
+    rc_pkg::kept_hit_t   s1_cut;
+    logic [HoleBits-1:0] s0_holes, s0_passed, s1_holes, s1_passed, passed;
+    logic [Contexts-1:0] has_passed;
+    logic                was_passed, s1_passes;
+
+    rc_ram #(.Width(HoleBits), .Depth(Contexts)) u_holes (
+      .clk_i, .write_i(start_fires_i), .write_addr_i(start_ray), .write_data_i(start_i.holes),
+      .read_addr_i(s0_rsp.ray), .read_data_o(s0_holes));
+    rc_ram #(.Width(HoleBits), .Depth(Contexts)) u_passed (
+      .clk_i, .write_i(s1_passes), .write_addr_i(s1_ray), .write_data_i(passed + HoleBits'(1)),
+      .read_addr_i(s0_rsp.ray), .read_data_o(s0_passed));
+
+    rc_flags #(.Flags(Contexts)) u_has_passed (
+      .clk_i, .rst_ni, .clear_i(start_fires_i), .clear_at_i(start_ray),
+      .set_i(s1_passes), .set_at_i(s1_ray), .flags_o(has_passed));
+    rc_bit_select #(.Flags(Contexts)) u_was_passed (
+      .clk_i, .flags_i(has_passed), .index_i(s0_rsp.ray), .flag_o(was_passed));
+
+    rc_path_register #(.Width(2 * HoleBits)) u_s1_holes (
+      .clk_i, .data_i({s0_holes, s0_passed}), .data_o({s1_holes, s1_passed}));
+
+    assign s1_cut    = s1_hit;
+    assign passed    = was_passed ? s1_passed : '0;
+    assign s1_passes = s1_hits && s1_cut.cutout && passed != s1_holes;
+    assign s1_closer = s1_hits && !s1_passes;
+
+    logic unused_cut;
+    assign unused_cut = ^s1_cut;
+  end else begin : gen_no_holes
+    assign s1_closer = s1_hits;
   end
 
   // ---- Distances to beat.
@@ -433,7 +472,7 @@ module rc_list (
     assign prim_number = prim_rsp_i.prim + first_number;
   end
 
-  if (rc_pkg::Spheres != 0 || rc_pkg::Planes != 0) begin : gen_kind_of_primitive
+  if (rc_pkg::HasKinds == 1) begin : gen_kind_of_primitive
     assign prim_data.prim_kind = prim_rsp_i.prim_kind;
   end
   assign prim_data.a    = prim_rsp_i.a;
@@ -472,6 +511,10 @@ module rc_list (
 
   if (rc_pkg::Shading != 0) begin : gen_side_of_hit
     assign closest_o.back = closest_hit.back;
+  end
+
+  if (rc_pkg::HasTextures == 1) begin : gen_cutout_of_hit
+    assign closest_o.cutout = closest_hit.cutout;
   end
 
   if (rc_pkg::Homes == 1) begin : gen_place   // line of the instance that the ray is in

@@ -255,9 +255,16 @@ module rc_raygen (
     if (TagW != 0) begin : gen_tag
       localparam int unsigned HomeW = rc_pkg::Homes == 1
                                     ? rc_pkg::AddrBits + 3 * (OriginWidth + RayDirBits) : 0;
-      logic [TagW-1:0] req_tag, asks, home, end_tag;
+      localparam int unsigned HolesW = rc_pkg::HasTextures == 1 ? rc_pkg::HoleBits : 0;
+      logic [TagW-1:0] req_tag, holes, asks, home, end_tag;
 
-      assign req_tag = asks << HomeW | home;
+      assign req_tag = holes | asks << HomeW | home;
+
+      if (rc_pkg::HasTextures == 1) begin : gen_holes
+        assign holes = TagW'(req.holes) << (TagW - HolesW);
+      end else begin : gen_no_holes
+        assign holes = '0;
+      end
 
       if (rc_pkg::Homes == 1) begin : gen_home
         assign home = TagW'({req.home, req.home_o, req.home_d});

@@ -75,7 +75,7 @@ module rc_pass #(
   // ---- Input: held if a pass stays for more than one cycle.
   logic                       valid;
   logic [RayBits-1:0]         ray;
-  rc_pkg::shade_state_t state;
+  rc_pkg::shade_state_t given, state;   // from rc_contexts; and with the event that the pass handles
   rc_pkg::shade_hit_t         hit;
   logic [3*OriginWidth-1:0]   o;
   logic [3*M-1:0]             d;
@@ -87,7 +87,7 @@ module rc_pass #(
   if (Every == 1) begin : gen_as_it_comes
     assign valid    = valid_i;
     assign ray      = ray_i;
-    assign state    = state_i;
+    assign given    = state_i;
     assign hit      = hit_i;
     assign o        = o_i;
     assign d        = d_i;
@@ -106,7 +106,7 @@ module rc_pass #(
       .data_o({ray, hit, o, d, place}));
 
     rc_shift_register #(.Width(rc_pkg::ShadeStateW + rc_pkg::SurfaceW), .Stages(1)) u_state (
-      .clk_i, .enable_i(valid_i), .data_i({state_i, surface_i}), .data_o({state, surface}));
+      .clk_i, .enable_i(valid_i), .data_i({state_i, surface_i}), .data_o({given, surface}));
 
     rc_shift_register #(.Width(3 * ColourBits + 1), .Stages(1)) u_texel (
       .clk_i, .enable_i(valid_i), .data_i(texel_i), .data_o(texel));
@@ -115,11 +115,38 @@ module rc_pass #(
       .clk_i, .enable_i(valid), .data_i(top_i), .data_o(top_came));
   end
 
-  // ---- s0: event of the pass.
+  // ---- s0: with textures, a shadow ray may have met a cut-out. Then the pass requests its texture
+  // and handles no event. If the texture has a hole there, the next pass handles the light again, and
+  // its ray passes one cut-out more; after 63 holes the next one counts as opaque.
+  logic met_cutout;
+
+  if (rc_pkg::HasTextures == 1) begin : gen_cutout
+    logic repeats;
+
+    assign met_cutout = given.pending == rc_pkg::PendingAnswer && hit.found && hit.cutout;
+    assign repeats    = given.pending == rc_pkg::PendingTexture && texel[3*ColourBits]
+                     && given.light_holes != '1;
+
+    always_comb begin
+      state = given;
+      if (repeats) begin
+        state.next_event  = rc_pkg::EventLight;
+        state.light       = given.light - 7'd1;
+        state.light_holes = given.light_holes + 1'b1;
+      end else if (!met_cutout) begin
+        state.light_holes = '0;
+      end
+    end
+  end else begin : gen_no_cutout
+    assign met_cutout = 1'b0;
+    assign state      = given;
+  end
+
+  // Event of the pass.
   // ends[i]: a pass leaves stage i; the last bit: a pass is complete
   logic [Stages:0]             ends;
   logic                        back, s0_surf, s0_light, s0_refract, s0_bounce, s0_end, s0_transform;
-  logic                        s0_texture;
+  logic                        s0_texture, s0_cutout;
   logic [TBits-1:0]            t;
   logic [UvBits-1:0]           u, v;
   logic [3*ValueBits-1:0]      colour;
@@ -132,7 +159,7 @@ module rc_pass #(
   assign v    = hit.v;
 
   rc_pass_begin u_begin (
-    .valid_i(ends[0]), .state_i(state), .hit_i(hit), .surface_i(surface),
+    .valid_i(ends[0]), .cutout_i(met_cutout), .state_i(state), .hit_i(hit), .surface_i(surface),
     .surf_o(s0_surf), .light_o(s0_light), .bounce_o(s0_bounce), .refract_o(s0_refract),
     .transform_o(s0_transform), .texture_o(s0_texture), .end_o(s0_end), .colour_o(colour),
     .has_material_o(has_material),
@@ -141,6 +168,7 @@ module rc_pass #(
   // immediately: inputs of several cycles stay stable
   assign material_valid_o = valid && has_material;
   assign material_ray_o   = ray;
+  assign s0_cutout        = ends[0] && met_cutout;
 
   // phase: the cycle of each stage, s0 lowest. The pass is over in the first cycle after the last
   // stage.
@@ -165,7 +193,8 @@ module rc_pass #(
   // face: surf or transform. tone: surf or texture
   logic [Stages:0] surf_at, light_at, bounce_at, end_at, transform_at, texture_at, face_at, tone_at;
   logic [Stages:0] sends_at;   // light, bounce or texture: a ray may start
-  logic [Stages:1] surf_q, light_q, bounce_q, end_q, transform_q_at, texture_q;
+  logic [Stages:0] cutout_at;
+  logic [Stages:1] surf_q, light_q, bounce_q, end_q, transform_q_at, texture_q, cutout_q;
 
   always_ff @(posedge clk_i) begin
     for (int i = 0; i < Stages; i++)
@@ -176,6 +205,7 @@ module rc_pass #(
         end_q[i+1]    <= end_at[i];
         transform_q_at[i+1] <= transform_at[i];
         texture_q[i+1]      <= texture_at[i];
+        cutout_q[i+1]       <= cutout_at[i];
       end
   end
 
@@ -186,6 +216,7 @@ module rc_pass #(
     assign end_at       = {end_q, s0_end};
     assign transform_at = {transform_q_at, s0_transform};
     assign texture_at   = {texture_q, s0_texture};
+    assign cutout_at    = {cutout_q, s0_cutout};
   end else begin : gen_goes_on
     assign surf_at      = {surf_q & ends[Stages:1], s0_surf};
     assign light_at     = {light_q & ends[Stages:1], s0_light};
@@ -193,6 +224,7 @@ module rc_pass #(
     assign end_at       = {end_q & ends[Stages:1], s0_end};
     assign transform_at = {transform_q_at & ends[Stages:1], s0_transform};
     assign texture_at   = {texture_q & ends[Stages:1], s0_texture};
+    assign cutout_at    = {cutout_q & ends[Stages:1], s0_cutout};
   end
 
   assign face_at = surf_at | transform_at;
@@ -302,7 +334,8 @@ module rc_pass #(
       .data_o(surf_path));
 
     rc_stage_delay #(.Width(2 * UvBits), .Stages(Out), .Parts(rc_pkg::ShadeParts)) u_uv (
-      .clk_i, .rst_ni, .enter_i(face_at[0]), .leave_i(face_at[Out]), .data_i({u, v}),
+      .clk_i, .rst_ni, .enter_i(face_at[0] || cutout_at[0]),
+      .leave_i(face_at[Out] || cutout_at[Out]), .data_i({u, v}),
       .data_o({face_u, face_v}));
   end else begin : gen_no_path
     assign {surf_path, face_u, face_v, end_hole, s15_old_d} = '0;
@@ -560,7 +593,7 @@ module rc_pass #(
   // ---- s28: end of the pass.
   rc_pass_end u_end (
     .clk_i, .take_i(ends[Stages-1]), .frame_i, .path_i(surf_path), .u_i(face_u), .v_i(face_v),
-    .hole_i(end_hole),
+    .hole_i(end_hole), .cutout_i(Cut ? cutout_q[Stages-1] : cutout_at[Stages]),
     .scale_i(end_scale),
     .ray_i(end_ray), .begin_state_i(begin_state),
     .mirrors_i(mirrors),
@@ -582,6 +615,6 @@ module rc_pass #(
 
   logic unused;
   assign unused = ^{hit, phase, ends, surf_at, light_at, bounce_at, end_at, face_at, tone_at,
-                    sends_at};
+                    sends_at, cutout_at};
 endmodule
 `default_nettype wire

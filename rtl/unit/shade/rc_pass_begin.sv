@@ -9,6 +9,7 @@ module rc_pass_begin #(
 ) (
   // Context, and the last ray's answer
   input  logic                   valid_i,
+  input  logic                   cutout_i,   // a shadow ray has met a cut-out: no event
   input  rc_pkg::shade_state_t   state_i,
   input  rc_pkg::shade_hit_t     hit_i,
   input  rc_pkg::surface_t       surface_i,
@@ -31,6 +32,7 @@ module rc_pass_begin #(
   // Event.
   logic                arrives, found, back;   // arrives: a camera ray or bounce is done
   logic                first;                  // the ray has passed no hole
+  logic                handles;                // the pass handles an event
   logic [PrimBits-1:0] prim;
   logic [TBits-1:0]    t;
   logic [UvBits-1:0]   u, v;
@@ -50,15 +52,16 @@ module rc_pass_begin #(
 
   assign arrives        = state_i.next_event == rc_pkg::EventArrive;
   assign has_material_o = arrives && found;
+  assign handles        = valid_i && !cutout_i;
   assign surf_o         = valid_i && has_material_o;
-  assign light_o        = valid_i && state_i.next_event == rc_pkg::EventLight;
+  assign light_o        = handles && state_i.next_event == rc_pkg::EventLight;
   assign refract_o      = rc_pkg::Refraction == 1 && state_i.next_event == rc_pkg::EventRefract;
-  assign bounce_o       = valid_i && (refract_o || state_i.next_event == rc_pkg::EventReflect);
+  assign bounce_o       = handles && (refract_o || state_i.next_event == rc_pkg::EventReflect);
   assign transform_o    = valid_i && rc_pkg::Homes == 1
       && state_i.next_event == rc_pkg::EventTransform;
   assign texture_o      = valid_i && rc_pkg::HasTextures == 1
       && state_i.next_event == rc_pkg::EventTexture;
-  assign end_o          = valid_i && state_i.next_event == rc_pkg::EventPop;
+  assign end_o          = handles && state_i.next_event == rc_pkg::EventPop;
 
   // The light's share counts if nothing was in its way.
   logic        adds;
@@ -129,6 +132,7 @@ module rc_pass_begin #(
         known_texture.ambient = surface_i.ambient;
         known_texture.record  = surface_i.record;
       end
+      if (cutout_i) known_texture.record = surface_i.record;
     end
 
     assign material_o.ambient = known_texture.ambient;
@@ -149,6 +153,6 @@ module rc_pass_begin #(
   assign material_o.is_inside = known.is_inside;
 
   logic unused;
-  assign unused = ^surface_i;
+  assign unused = ^{surface_i, hit_i};
 endmodule
 `default_nettype wire

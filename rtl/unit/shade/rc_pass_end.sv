@@ -46,6 +46,7 @@ module rc_pass_end #(
   input  logic [rc_pkg::UvBits-1:0] u_i,
   input  logic [rc_pkg::UvBits-1:0] v_i,
   input  logic                     hole_i,   // the texture has a hole
+  input  logic                     cutout_i,   // a shadow ray has met a cut-out: no event
   input  logic [rc_pkg::LevelBits-1:0] scale_i,   // with two levels: of the instance's texels
   // With two levels, from rc_instance_space: a surface was transformed; the ray in the mesh's space
   input  logic                     transform_i,
@@ -93,18 +94,20 @@ module rc_pass_end #(
   logic       waits;   // a refracted ray waits
   logic       is_arrive, is_light, is_refract, is_reflect, is_pop, is_end, is_next;
   logic       is_texture, texture_now;
+  logic [7:0] events;
 
   assign texture_now = rc_pkg::HasTextures == 1 && event_now == rc_pkg::EventTexture;
   assign event_now = begin_state_i.next_event;
   assign waits     = rc_pkg::Refraction == 1 && begin_state_i.waiting != '0;
 
+  assign events = {texture_now, event_now == rc_pkg::EventArrive, event_now == rc_pkg::EventLight,
+                   rc_pkg::Refraction == 1 && event_now == rc_pkg::EventRefract,
+                   event_now == rc_pkg::EventReflect, event_now == rc_pkg::EventPop && waits,
+                   event_now == rc_pkg::EventPop && !waits,
+                   event_now == rc_pkg::EventPop && !waits && more_i};
+
   rc_path_register #(.Width(8), .Stages(Cut)) u_event (
-    .clk_i,
-    .data_i({texture_now, event_now == rc_pkg::EventArrive, event_now == rc_pkg::EventLight,
-             rc_pkg::Refraction == 1 && event_now == rc_pkg::EventRefract,
-             event_now == rc_pkg::EventReflect, event_now == rc_pkg::EventPop && waits,
-             event_now == rc_pkg::EventPop && !waits,
-             event_now == rc_pkg::EventPop && !waits && more_i}),
+    .clk_i, .data_i(cutout_i ? '0 : events),
     .data_o({is_texture, is_arrive, is_light, is_refract, is_reflect, is_pop, is_end, is_next}));
 
   // ---- Colour.
@@ -298,17 +301,20 @@ module rc_pass_end #(
 
   // A textured surface goes to tex; with two levels, after the pass *transform*.
   rc_pkg::tex_req_t           request;
-  logic                       asks_texture;
+  logic                       asks_texture;   // the texture of a hit, or of a cut-out
+  logic                       asks_cutout;
   logic [rc_pkg::TexReqW-1:0] tex_req;
 
   if (rc_pkg::HasTextures == 1) begin : gen_texture
 
-    assign asks_texture = (rc_pkg::Homes == 1 ? transform_i : surf_i)
+    assign asks_texture = (cutout_i || (rc_pkg::Homes == 1 ? transform_i : surf_i))
                        && begin_state_i.record != '0;
+    assign asks_cutout  = cutout_i && begin_state_i.record != '0;
 
     always_comb begin
       textured = next;
-      if (asks_texture) textured.next_event = rc_pkg::EventTexture;
+      if (asks_texture && !cutout_i) textured.next_event = rc_pkg::EventTexture;
+      if (asks_cutout)  textured.pending    = rc_pkg::PendingTexture;
       if (surf_i)       textured.path       = path_i;
       if (is_pop)       textured.path       = top_i.path;
       if (is_next)      textured.path       = '0;
@@ -318,14 +324,15 @@ module rc_pass_end #(
 
     assign request.ray    = ray_i;
     assign request.record = begin_state_i.record;
-    assign request.path   = surf_i ? path_i : begin_state_i.path;
-    assign request.cosine = surf_i || turned ? surf_cosine_i : begin_state_i.cosine;
+    assign request.path   = cutout_i ? '0 : surf_i ? path_i : begin_state_i.path;
+    assign request.cosine = cutout_i ? rc_pkg::ValueOne
+                          : surf_i || turned ? surf_cosine_i : begin_state_i.cosine;
     assign request.u      = u_i;
     assign request.v      = v_i;
     assign tex_req        = request;
 
     if (rc_pkg::Homes == 1) begin : gen_scale
-      assign request.scale = scale_i;
+      assign request.scale = cutout_i ? '0 : scale_i;
     end else begin : gen_no_scale
       logic unused;
       assign unused = ^scale_i;
@@ -333,11 +340,12 @@ module rc_pass_end #(
   end else begin : gen_no_texture
     assign textured     = next;
     assign asks_texture = 1'b0;
+    assign asks_cutout  = 1'b0;
     assign request      = '0;
     assign tex_req      = request;
 
     logic unused;
-    assign unused = ^{path_i, u_i, v_i, hole_i, scale_i};
+    assign unused = ^{path_i, u_i, v_i, hole_i, scale_i, asks_cutout};
   end
 
   if (rc_pkg::Panes != 0) begin : gen_cell
@@ -441,6 +449,10 @@ module rc_pass_end #(
   assign spawn.o      = spawn_place;
   assign spawn.d      = spawn_way;
 
+  if (rc_pkg::HasTextures == 1) begin : gen_light_holes
+    assign spawn.holes = is_light ? begin_state_i.light_holes : '0;
+  end
+
   if (rc_pkg::Planes == 1) begin : gen_partial
     assign spawn.is_partial = partial;
   end else begin : gen_no_planes
@@ -491,6 +503,10 @@ module rc_pass_end #(
 
   if (rc_pkg::Homes == 1) begin : gen_pixel_of_instances
     assign pixel.place = '0;
+  end
+
+  if (rc_pkg::HasTextures == 1) begin : gen_no_cutout_pixel
+    assign pixel.cutout = 1'b0;
   end
 
   // ---- Outputs, in three parts: Verilator 5.006 does not compile a concatenation of a thousand

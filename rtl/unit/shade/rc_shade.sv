@@ -79,7 +79,7 @@ module rc_shade (
   // In a fast chip the answer is one cycle in flight, and then one cycle here.
   localparam int unsigned Late = rc_pkg::Cut + rc_pkg::FarCut;
 
-  logic                answers, way_found;
+  logic                answers, way_found, way_asks;
   logic [RayBits-1:0]  way_ray;
   logic [PrimBits-1:0] way_prim;
   logic [AddrBits-1:0] closest_place;
@@ -96,8 +96,19 @@ module rc_shade (
     .data_o({way_ray, way_prim, way_found}));
 
   rc_path_register #(.Width(RayBits + PrimBits + 1)) u_answer (
-    .clk_i, .data_i({way_ray, way_prim, way_found && !any_hit}),
+    .clk_i, .data_i({way_ray, way_prim, way_asks}),
     .data_o({closest_ray, closest_prim, wants_surface}));
+
+  // Of a cut-out in the way to a light the texture decides, so its surface comes as well.
+  if (rc_pkg::HasTextures == 1) begin : gen_cutout
+    logic way_cutout;
+
+    rc_path_register #(.Width(1), .Stages(rc_pkg::FarCut)) u_way_cutout (
+      .clk_i, .data_i(closest_i.cutout), .data_o(way_cutout));
+    assign way_asks = way_found && (!any_hit || way_cutout);
+  end else begin : gen_no_cutout
+    assign way_asks = way_found && !any_hit;
+  end
 
   rc_pulse_register #(.Stages(Late)) u_answers (
     .clk_i, .rst_ni, .fires_i(closest_valid_i), .fires_o(answers));
@@ -132,8 +143,9 @@ module rc_shade (
   localparam int unsigned RecordAt  = rc_pkg::SurfaceW - 8 - AddrBits;
 
   // placing: the line that comes is an instance or its material. placed: an instance is accepted.
-  // taken: either is accepted. came: a surface has come.
-  logic              placing, placed, taken, came;
+  // keeps: that instance is a hit's, and not that of a cut-out in the way to a light. taken: an
+  // instance or its material is accepted. came: a surface has come.
+  logic              placing, keeps, taken, came;
   logic [rc_pkg::SurfRspW-1:0] surf_rsp;
   logic [rc_pkg::SurfaceW-1:0] surface_found;
   rc_pkg::surface_t            surface_came;    // the line that comes, if it is a surface,
@@ -161,7 +173,7 @@ module rc_shade (
 
     assign surf_req_o = fetch;
     assign placing    = 1'b0;
-    assign placed     = 1'b0;
+    assign keeps      = 1'b0;
     assign taken      = 1'b0;
     assign place_data = '0;
     assign surface_found = rc_pkg::SurfaceW'(surf_rsp);
@@ -170,6 +182,7 @@ module rc_shade (
     assign unused = ^{surface_came, instance_came, taken, closest_place};
   end else begin : gen_fetch_twice
     logic [Contexts-1:0]             placing_q, lends_q;   // waits for an instance, for a material
+    logic                            placed;
     logic [AddrBits-1:0]             prim, surface_line, kept_line;
     logic [Contexts-1:0]             lent_q;   // the context's last instance has a material
     logic                            lends;
@@ -193,7 +206,16 @@ module rc_shade (
     assign place_data.b    = instance_came.b;
 
     if (rc_pkg::HasTextures == 1) begin : gen_texel_scale
+      logic to_light;
+
       assign place_data.texel_scale = instance_came.texel_scale;
+
+      rc_ram #(.Width(1), .Depth(Contexts)) u_to_light (
+        .clk_i, .write_i(starts), .write_addr_i(starts_ray), .write_data_i(starts_any),
+        .read_addr_i(came_ray), .read_data_o(to_light));
+      assign keeps = placed && !to_light;
+    end else begin : gen_no_texel_scale
+      assign keeps = placed;
     end
 
     always_ff @(posedge clk_i) begin
@@ -365,11 +387,15 @@ module rc_shade (
     assign closest_hit.back = closest_i.back;
   end
 
+  if (rc_pkg::HasTextures == 1) begin : gen_cutout_of_hit
+    assign closest_hit.cutout = closest_i.cutout;
+  end
+
   rc_contexts u_contexts (
     .clk_i, .rst_ni, .slot_fires_i, .slot_i, .ray_fires_i, .ray_i, .kind_o(kind),
     .closest_fires_i(closest_valid_i), .closest_ray_i(closest_i.ray),
     .closest_hit_i(closest_hit), .read_i(enters), .read_ray_i(ray), .read_valid_o(passes),
-    .place_fires_i(placed), .place_ray_i(surf_rsp_i.ray), .place_i(place_data),
+    .place_fires_i(keeps), .place_ray_i(surf_rsp_i.ray), .place_i(place_data),
     .texel_fires_i(tex_rsp_fires_i), .texel_ray_i(texel_ray), .texel_i(texel_came),
     .texel_o(texel),
     .hit_o(hit), .o_o(o), .d_o(d), .state_o(state), .top_o(top), .place_o(place),

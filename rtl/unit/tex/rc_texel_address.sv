@@ -125,12 +125,13 @@ module rc_texel_address #(
   logic signed [LevelBits-1:0]   s0_spread;
   logic signed [LevelBits:0]     s1_density_q;
   logic signed [LevelSumW-1:0]   s1_slant, s2_level_q, s2_rounded;
-  logic [SideBits-1:0]           s2_last_q, s3_level_q;
+  logic [SideBits-1:0]           s0_last, s2_last_q, s3_level_q;
 
   rc_log #(.Width(TBits)) u_log_path (.x_i(s0_path), .log_o(s0_log_path));
   rc_log #(.Width(ValueBits)) u_log_cosine (.x_i(s0_cosine), .log_o(s0_log_cosine));
 
   assign s0_density = s0.density;
+  assign s0_last    = s0_path == '0 ? '0 : s0.last_level;   // a path of 0 asks for level 0
 
   rc_pkg::shade_frame_t      shade_frame;   // lowest in the frame
   logic [rc_pkg::FrameW-1:0] frame_flat;
@@ -174,7 +175,7 @@ module rc_texel_address #(
   end
 
   rc_shift_register #(.Width(SideBits), .Stages(2)) u_last (
-    .clk_i, .enable_i({valid_q[1], valid_i}), .data_i(s0.last_level), .data_o(s2_last_q));
+    .clk_i, .enable_i({valid_q[1], valid_i}), .data_i(s0_last), .data_o(s2_last_q));
 
   // ---- The two coordinates: s, then t.
   logic [UvBits-1:0]   s1_u_q, s1_v_q;

@@ -80,5 +80,8 @@ module rc_ray_t_max #(
     assign near        = near_i[i*TBits +: TBits];
     assign within_o[i] = was_written ? near <= kept_then : !was_shadow || near <= SurfaceT;
   end
+
+  logic unused;
+  assign unused = ^start_i;
 endmodule
 `default_nettype wire

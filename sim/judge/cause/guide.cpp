@@ -10,6 +10,7 @@
 
 #include "model/compile/levels/maps.hpp"
 #include "sim/judge/reference/geometry.hpp"
+#include "sim/judge/reference/holes.hpp"
 #include "sim/judge/cause/tie.hpp"
 #include "sim/judge/paths/steps.hpp"
 
@@ -584,10 +585,17 @@ bool Guide::counts(std::size_t light, double side, double lambert) {
 }
 
 bool Guide::is_blocking_tied(const RefPath& path, double distance, bool wanted) const {
-    const RefGeometry& geometry = rules_.reference.geometry();
+    // The machine rounds u and v down, and the cut-off to a code. With two levels a hit may move by a few
+    // steps.
+    const Config& config = rules_.inputs.config;
+    const glm::dvec3& pitch = rules_.inputs.lattice.pitch;
+    const HoleSlack slack{4 * std::exp2(-config.bary_bits),
+                          rules_.placed ? 4 * std::max(pitch.x, std::max(pitch.y, pitch.z)) : 0, 0.5 / 255};
     const auto is_match = [&](const RefPath& moved) {
-        for (const double scale : {1 - 4 * tie_size, 1 + 4 * tie_size})
-            if (geometry.is_blocked(moved, distance * scale) == wanted) return true;
+        for (const double scale : {1 - 4 * tie_size, 1 + 4 * tie_size}) {
+            const Hidden found = hidden_at(rules_.reference.geometry(), rules_.scene, moved, distance * scale, slack);
+            if (wanted ? found.possibly : !found.surely) return true;
+        }
         return false;
     };
     return is_match(path) || any_moved(path, is_match);

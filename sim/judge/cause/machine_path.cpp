@@ -42,12 +42,15 @@ void MachinePath::answered(const Closest& hit) {
 }
 
 void MachinePath::filtered(const TexReq&, const TexRecord&, const TexelPlace& place, const TexRsp& answer) {
+    if (asks_cutout_) return;   // whether a light is hidden follows from the last ray to it
     visits[std::size_t(at_)].texture = MachineTexture{place.level, answer.hole != 0};
 }
 
 void MachinePath::passed(const PassIn& in, const PassOut& out) {
     MachineVisit& visit = visits[std::size_t(at_)];
-    last_ = ShadeEvent(in.state.next_event);
+    asks_cutout_ = meets_cutout(in);
+    if (asks_cutout_) return;
+    last_ = event_of(in);
     switch (last_) {
         case ShadeEvent::arrive:
             visit.surface = in.surface, visit.placement = in.placement, visit.state = out.state;
@@ -55,6 +58,7 @@ void MachinePath::passed(const PassIn& in, const PassOut& out) {
         case ShadeEvent::transform: visit.state = out.state; break;
         case ShadeEvent::texture: visit.state.albedo = out.state.albedo; break;
         case ShadeEvent::light:
+            if (passes_hole(in)) break;   // another ray to the same light
             visit.lights.push_back(
                 {out.leave == PassOut::Leave::spawn, Pending(out.state.pending) == Pending::sure, {}});
             break;

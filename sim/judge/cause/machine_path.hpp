@@ -11,7 +11,7 @@ namespace rayclock {
 struct MachineLight {
     bool was_sent = false;   ///< a ray was sent
     bool is_lit = false;     ///< its light is added
-    Ray ray;                 ///< the ray, if one was sent
+    Ray ray;                 ///< the last ray, if one was sent
 };
 
 /// The texture of a hit, as the machine read it.
@@ -53,7 +53,7 @@ public:
 
 private:
     int add(const Ray& ray, int parent);
-    bool asks_light_ = false;
+    bool asks_light_ = false, asks_cutout_ = false;
     ShadeEvent last_ = ShadeEvent::arrive;
     int at_ = MachineVisit::none;
     std::vector<int> waiting_;   ///< visits whose refracted rays wait

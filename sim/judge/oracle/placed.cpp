@@ -238,30 +238,34 @@ PlacedHit PlacedSolids::nearest(const PlacedRay& ray) const {
     return best;
 }
 
-bool PlacedSolids::is_met(std::uint32_t place, const PlacedRay& ray, bool ends, int frac_end) const {
+bool PlacedSolids::is_met(std::uint32_t place, const PlacedRay& ray, bool ends, int frac_end,
+                          const PlaceLetsPass& lets_pass) const {
     const SolidRay seen = seen_by(place, ray);
-    return ends ? mesh_of(place).blocks(seen, frac_end) : mesh_of(place).meets_any(seen);
+    LetsPass here;
+    if (lets_pass) here = [&](const FlatHit& hit) { return lets_pass(place, hit); };
+    return ends ? mesh_of(place).blocks(seen, frac_end, here) : mesh_of(place).meets_any(seen, here);
 }
 
-std::uint32_t PlacedSolids::meets_any(const PlacedRay& ray) const {
+std::uint32_t PlacedSolids::meets_any(const PlacedRay& ray, const PlaceLetsPass& lets_pass) const {
     std::uint32_t met = PlacedRay::nowhere;
     each(
         ray, longest_of(ray.ray.direction) >= least_, [](double) { return false; },
         [&](std::uint32_t place) {
-            if (is_met(place, ray, false, 0)) met = place;
+            if (is_met(place, ray, false, 0, lets_pass)) met = place;
             return met == PlacedRay::nowhere;
         });
     return met;
 }
 
 /// The end of a shadow ray has s <= 1. So its margin holds however short the direction is.
-std::uint32_t PlacedSolids::blocks(const PlacedRay& ray, int frac_end) const {
+std::uint32_t PlacedSolids::blocks(const PlacedRay& ray, int frac_end,
+                                   const PlaceLetsPass& lets_pass) const {
     std::uint32_t met = PlacedRay::nowhere;
     const double end = 2 * std::ldexp(double(longest_of(ray.ray.direction)), -frac_end) * (1 + 0x1p-40);
     each(
         ray, true, [&](double near) { return near > end; },
         [&](std::uint32_t place) {
-            if (is_met(place, ray, true, frac_end)) met = place;
+            if (is_met(place, ray, true, frac_end, lets_pass)) met = place;
             return met == PlacedRay::nowhere;
         });
     return met;

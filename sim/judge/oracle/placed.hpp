@@ -47,6 +47,9 @@ struct PlacedHit {
     bool is_none() const { return place == PlacedRay::nowhere && sphere_place == PlacedRay::nowhere; }
 };
 
+/// True for a triangle or plane of an instance that lets a ray to a light pass at this hit.
+using PlaceLetsPass = std::function<bool(std::uint32_t place, const FlatHit&)>;
+
 /// All instances of a scene, with a search tree over their boxes.
 class PlacedSolids {
 public:
@@ -68,11 +71,12 @@ public:
     /// Returns the closest hit along t > 0. Of equally close triangles and planes it takes the lowest number.
     PlacedHit nearest(const PlacedRay& ray) const;
     /// Returns an instance that the ray meets at 0 < t, or `nowhere` if it meets none.
-    std::uint32_t meets_any(const PlacedRay& ray) const;
+    std::uint32_t meets_any(const PlacedRay& ray, const PlaceLetsPass& lets_pass = {}) const;
     /// Returns an instance that blocks a shadow ray in 0 < t < 2^-frac_end, or `nowhere`.
-    std::uint32_t blocks(const PlacedRay& ray, int frac_end) const;
+    std::uint32_t blocks(const PlacedRay& ray, int frac_end, const PlaceLetsPass& lets_pass = {}) const;
     /// Decides the same for one instance: at any t > 0, or in the range of a shadow ray if `ends`.
-    bool is_met(std::uint32_t place, const PlacedRay& ray, bool ends, int frac_end) const;
+    bool is_met(std::uint32_t place, const PlacedRay& ray, bool ends, int frac_end,
+                const PlaceLetsPass& lets_pass = {}) const;
 
 private:
     /// Calls ask(place) for all instances that the ray may meet, and some more, until it returns false.

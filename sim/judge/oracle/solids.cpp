@@ -216,13 +216,17 @@ Nearest Solids::nearest(const SolidRay& ray) const {
     return found;
 }
 
-bool Solids::meets_any(const SolidRay& ray) const {
+bool Solids::meets_any(const SolidRay& ray, const LetsPass& lets_pass) const {
     bool met = false;
     const auto test_primitive = [&](std::uint32_t number) {
+        if (met) return;
         const Solid& s = solids_[number];
-        met = met || (s.shape == Solid::Shape::sphere
-                          ? meets_sphere(ray, s, is_self(ray, number)) != SphereRoot::none
-                          : cross_flat(ray, s, number).has_value());
+        if (s.shape == Solid::Shape::sphere) {
+            met = meets_sphere(ray, s, is_self(ray, number)) != SphereRoot::none;
+            return;
+        }
+        const auto hit = cross_flat(ray, s, number);
+        met = hit && !(lets_pass && lets_pass(*hit));
     };
     if (ray.targets != SolidRay::Targets::bounded)
         for (const std::uint32_t number : planes_) test_primitive(number);
@@ -232,7 +236,7 @@ bool Solids::meets_any(const SolidRay& ray) const {
     return met;
 }
 
-bool Solids::blocks(const SolidRay& ray, int frac_end) const {
+bool Solids::blocks(const SolidRay& ray, int frac_end, const LetsPass& lets_pass) const {
     bool met = false;
     const auto test_primitive = [&](std::uint32_t number) {
         if (met) return;
@@ -242,7 +246,7 @@ bool Solids::blocks(const SolidRay& ray, int frac_end) const {
             return;
         }
         const auto hit = cross_flat(ray, s, number);
-        met = hit && hit->num * (Int128(1) << frac_end) < hit->den;
+        met = hit && hit->num * (Int128(1) << frac_end) < hit->den && !(lets_pass && lets_pass(*hit));
     };
     for (const std::uint32_t number : planes_) test_primitive(number);
     const tree::Ray search(ray.origin, ray.direction, ray.frac);

@@ -11,6 +11,7 @@
 // point and has N + B + 1 bits of direction. Relative to the origin, corners are below 2^(N+B) and areas
 // below 2^(2N+2B+1). Volumes with a direction are below 2^(2N+2B+M+3), and those of shadow rays below
 // 2^(3N+B+5). For spheres see Ball. 128 bits hold all of these for N + B <= 31 and M <= 24.
+#include <functional>
 #include <optional>
 
 #include "sim/judge/oracle/cross.hpp"
@@ -92,6 +93,9 @@ struct Nearest {
     SphereHit sphere;
 };
 
+/// True for a triangle or plane that lets a ray to a light pass at this hit.
+using LetsPass = std::function<bool(const FlatHit&)>;
+
 /// All primitives of a scene, with a search tree.
 class Solids {
 public:
@@ -106,11 +110,11 @@ public:
     std::optional<FlatHit> flat_hit(const SolidRay& ray, std::uint32_t number) const;
 
     /// Returns true if anything is in the way at 0 < t, for rays to a light beyond the lattice.
-    bool meets_any(const SolidRay& ray) const;
+    bool meets_any(const SolidRay& ray, const LetsPass& lets_pass = {}) const;
 
     /// Returns true if anything blocks a shadow ray in 0 < t < 2^-frac_end. Surfaces that hold the light or
     /// the point do not block.
-    bool blocks(const SolidRay& ray, int frac_end) const;
+    bool blocks(const SolidRay& ray, int frac_end, const LetsPass& lets_pass = {}) const;
 
 private:
     std::vector<Solid> solids_;

@@ -107,10 +107,27 @@ bool says_more(const Closest& answer) {
     return answer.prim || answer.t || answer.u || answer.v || answer.back;
 }
 
-/// Judges the answer to a shadow ray.
+/// Judges the answer to a ray to or from a light that names no cut-out.
 const char* judge_way(bool is_blocked, const Closest& answer) {
     if (is_blocked != (answer.found != 0)) return is_blocked ? "its way is blocked" : "its way is free";
     return says_more(answer) ? "more is said of a shadow ray than yes or no" : nullptr;
+}
+
+/// True if a triangle lets light pass, for an answer that names no cut-out. A blocked way needs something
+/// without holes. On a free way there are only holes. `primitive`: the number in the scene.
+bool lets_pass(const Cutouts& cutouts, const Config& c, const Closest& answer, std::uint32_t primitive,
+               const FlatHit& hit) {
+    return cutouts.has_holes(primitive) &&
+           (answer.found != 0 || cutouts.is_hole(primitive, weight_of(hit.u, hit.total, c),
+                                                 weight_of(hit.v, hit.total, c)));
+}
+
+/// Judges a cut-out in the way of a ray to or from a light. `hit`: the oracle's.
+const char* judge_cutout(const std::optional<FlatHit>& hit, bool ends, const Config& c,
+                         const Closest& answer) {
+    if (!hit) return "it misses that primitive";
+    if (ends && hit->num * (Int128(1) << c.origin_frac()) >= hit->den) return "a cut-out behind its end is named";
+    return judge_values(*hit, c, answer);
 }
 
 const char* no_place(const Closest& answer) {
@@ -135,13 +152,23 @@ SolidRay solid_ray(const Ray& ray, const Config& c) {
     return r;
 }
 
-const char* judge_answer(const Solids& solids, const Config& c, const Ray& ray, const Closest& answer) {
+const char* judge_answer(const Solids& solids, const Config& c, const Ray& ray, const Closest& answer,
+                         const Cutouts* cutouts) {
     const SolidRay r = solid_ray(ray, c);
     if (ends_at_any(ray.kind)) {
-        const bool met =
-            RayKind(ray.kind) == RayKind::shadow ? solids.blocks(r, c.origin_frac()) : solids.meets_any(r);
-        return judge_way(met, answer);
+        const bool is_shadow = RayKind(ray.kind) == RayKind::shadow;
+        if (answer.cutout) {
+            if (answer.prim >= solids.all().size() || !cutouts || !cutouts->has_holes(answer.prim))
+                return "there is no such cut-out";
+            return judge_cutout(solids.flat_hit(r, answer.prim), is_shadow, c, answer);
+        }
+        oracle::LetsPass passes;
+        if (cutouts)
+            passes = [&](const FlatHit& hit) { return lets_pass(*cutouts, c, answer, hit.primitive, hit); };
+        return judge_way(
+            is_shadow ? solids.blocks(r, c.origin_frac(), passes) : solids.meets_any(r, passes), answer);
     }
+    if (answer.cutout) return "a cut-out is told where none counts";
     const Nearest nearest = solids.nearest(r);
     if (!answer.found) {
         if (nearest.flat.primitive != no_primitive || nearest.sphere.primitive != no_primitive)
@@ -186,21 +213,36 @@ const char* judge_placed_flat(const oracle::PlacedHit& nearest, const oracle::Pl
 
 }   // namespace
 
-const char* judge_answer(const PlacedWorld& world, const Config& c, const Ray& ray, const Closest& answer) {
+const char* judge_answer(const PlacedWorld& world, const Config& c, const Ray& ray, const Closest& answer,
+                         const Cutouts* cutouts) {
     constexpr std::uint32_t nowhere = oracle::PlacedRay::nowhere;
     const oracle::PlacedRay r = world.ray(ray);
     const oracle::PlacedSolids& solids = world.solids();
     if (ends_at_any(ray.kind)) {
         const bool is_shadow = RayKind(ray.kind) == RayKind::shadow;
+        if (answer.cutout) {
+            const std::uint32_t place = world.place_of(answer.prim);
+            if (place == nowhere) return "there is no such cut-out";
+            if (answer.instance_line != world.line(place)) return "it meets another instance";
+            return judge_cutout(solids.mesh_of(place).flat_hit(solids.seen_by(place, r),
+                                                               answer.prim - solids.places()[place].first),
+                                is_shadow, c, answer);
+        }
+        oracle::PlaceLetsPass passes;
+        if (cutouts)
+            passes = [&](std::uint32_t place, const FlatHit& hit) {
+                return lets_pass(*cutouts, c, answer, solids.places()[place].first + hit.primitive, hit);
+            };
         const bool is_blocked =
-            (is_shadow ? solids.blocks(r, c.origin_frac()) : solids.meets_any(r)) != nowhere;
+            (is_shadow ? solids.blocks(r, c.origin_frac(), passes) : solids.meets_any(r, passes)) != nowhere;
         const char* const wrong = judge_way(is_blocked, answer);
         if (wrong || !is_blocked) return wrong ? wrong : no_place(answer);
         const std::uint32_t place = world.place_at(answer.instance_line);
-        return place != nowhere && solids.is_met(place, r, is_shadow, c.origin_frac())
+        return place != nowhere && solids.is_met(place, r, is_shadow, c.origin_frac(), passes)
                    ? nullptr
                    : "another instance blocks its way";
     }
+    if (answer.cutout) return "a cut-out is told where none counts";
     const oracle::PlacedHit nearest = solids.nearest(r);
     if (!answer.found) {
         if (!nearest.is_none()) return "it meets something";

@@ -2,7 +2,6 @@
 #include "sim/judge/paths/path.hpp"
 
 #include "model/core/payloads.hpp"
-#include "sim/judge/paths/answer.hpp"
 #include "sim/judge/paths/camera.hpp"
 
 namespace rayclock {
@@ -26,6 +25,8 @@ void PathJudge::start(std::uint32_t x, std::uint32_t y) {
     branch_ = {{}, full_weight, 0, 0, 0, {1, 1}};
     path_ = holes_ = 0;
     texel_.reset();
+    cutout_.reset();
+    light_holes_.clear();
     waiting_.clear();
     lit_if_free_ = lit_ = false;
     colour_ = sum_ = most_ = {};
@@ -56,6 +57,7 @@ void PathJudge::sent(const Ray& ray) {
                "the ray asks planes where it must not, or the other way round");
         demand(!config_.spheres || (ray.self == expected_.self && ray.inside == expected_.inside),
                "the ray leaves another surface than was asked for");
+        demand(ray.holes == expected_.holes, "the ray ignores another number of cut-outs than had holes");
         demand(ray.home == expected_.home, "the ray leaves its instance elsewhere than was asked for");
         if (ends_at_any(ray.kind))
             ++rays_.shadow;
@@ -67,8 +69,9 @@ void PathJudge::sent(const Ray& ray) {
 }
 
 void PathJudge::answered(const Closest& hit) {
-    const char* wrong = rules_.placed ? judge_answer(*rules_.placed, config_, ray_, hit)
-                                      : judge_answer(rules_.solids, config_, ray_, hit);
+    const Cutouts* const cutouts = config_.has_textures() ? this : nullptr;
+    const char* wrong = rules_.placed ? judge_answer(*rules_.placed, config_, ray_, hit, cutouts)
+                                      : judge_answer(rules_.solids, config_, ray_, hit, cutouts);
     if (wrong) fail(wrong);
     answer_ = hit;
     if (rules_.placed && !ends_at_any(ray_.kind)) {
@@ -94,18 +97,15 @@ void PathJudge::passed(const PassIn& in, const PassOut& out) {
                         s.weight == full_weight && s.depth == 0
                   : s == last_,
            "the context's state is not what the last pass left");
-    demand(same_answer(in.hit, answer_), "a pass was given another answer");
+    demand(same_answer(in.hit, answer_) && in.hit.cutout == answer_.cutout, "a pass was given another answer");
+    const bool asks_cutout = lit_if_free_ && answer_.found && answer_.cutout;
     if (lit_ || (lit_if_free_ && !answer_.found)) add(s.share, share_);
     lit_ = lit_if_free_ = false;
-    switch (ShadeEvent(s.next_event)) {
-        case ShadeEvent::arrive: arrive(in, out); break;
-        case ShadeEvent::light: light(in, out); break;
-        case ShadeEvent::refract: refract(in, out); break;
-        case ShadeEvent::reflect: reflect(in, out); break;
-        case ShadeEvent::pop: pop(in, out); break;
-        case ShadeEvent::transform: transform(in, out); break;
-        case ShadeEvent::texture: texture(in, out); break;
-    }
+    if (asks_cutout)
+        cutout(in, out);
+    else
+        event(in, out);
+    demand(out.state.light_holes == light_holes_.size(), "the holes that light passes are miscounted");
     demand(out.leave == PassOut::Leave::pixel || out.state.colour == colour_,
            "what was added is not what the surface, light or background gives");
     demand(
@@ -116,6 +116,33 @@ void PathJudge::passed(const PassIn& in, const PassOut& out) {
     demand(out.state.waiting == waiting_.size(), "the number of waiting rays is wrong");
     last_ = out.state;
     fresh_ = false;
+}
+
+void PathJudge::event(const PassIn& in, const PassOut& out) {
+    const ShadeState& s = in.state;
+    if (cutout_) {   // its texture has answered
+        demand(texel_ && in.hole == texel_->hole, "a pass was given another texture's colour");
+        const bool lets_pass = texel_ && texel_->hole && light_holes_.size() < (1u << hole_bits) - 1;
+        cutout_.reset();
+        if (lets_pass) {
+            // Structures that cut space may test a triangle several times.
+            const bool is_new = std::find(light_holes_.begin(), light_holes_.end(), answer_.prim) == light_holes_.end();
+            demand(is_new || config_.cuts_space() || config_.is_walked(Structure::octree),
+                   "light passes the same hole twice");
+            light_holes_.push_back(answer_.prim);
+            return light(in, out, s.light - 1);
+        }
+    }
+    light_holes_.clear();
+    switch (ShadeEvent(s.next_event)) {
+        case ShadeEvent::arrive: arrive(in, out); break;
+        case ShadeEvent::light: light(in, out, s.light); break;
+        case ShadeEvent::refract: refract(in, out); break;
+        case ShadeEvent::reflect: reflect(in, out); break;
+        case ShadeEvent::pop: pop(in, out); break;
+        case ShadeEvent::transform: transform(in, out); break;
+        case ShadeEvent::texture: texture(in, out); break;
+    }
 }
 
 void PathJudge::expect_spawn(const PassOut& out, const Expected& ray) {

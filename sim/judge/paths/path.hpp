@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "model/unit/shade/shader.hpp"
+#include "sim/judge/paths/answer.hpp"
 #include "sim/judge/paths/placed.hpp"
 #include "sim/judge/paths/steps.hpp"
 #include "sim/judge/paths/texture.hpp"
@@ -34,7 +35,7 @@ struct PathFault {
     int ray = 0;   ///< number within the pixel, from 0
 };
 
-class PathJudge final : public ShadeWatch {
+class PathJudge final : public ShadeWatch, private Cutouts {
 public:
     explicit PathJudge(const PathRules& rules)
         : rules_(rules), config_(rules.inputs.config), frame_(rules.inputs.frame) {}
@@ -70,6 +71,7 @@ private:
         std::uint32_t self = 0, inside = 0;
         bool is_partial = false, is_refracted = false;
         Home home{};
+        std::uint32_t holes = 0;   ///< of a shadow ray: cut-outs that it passes
     };
     /// The current bounce, or a waiting one: the weight of its colour, and its depth.
     struct Branch {
@@ -122,6 +124,11 @@ private:
     void transform(const PassIn& in, const PassOut& out);
     void demand_texture(const ShadeState& s, const PassOut& out);
     void texture(const PassIn& in, const PassOut& out);
+    std::optional<TexturedTriangle> textured(std::uint32_t primitive) const;
+    bool has_holes(std::uint32_t primitive) const override;
+    bool is_hole(std::uint32_t primitive, std::uint32_t u, std::uint32_t v) const override;
+    void cutout(const PassIn& in, const PassOut& out);
+    void event(const PassIn& in, const PassOut& out);
     Vec3i point_at(const PassIn& in) const;
     Home home_of(const ShadeState& s, const Vec3i& d) const;
     Home home_from(const ShadeState& s, const Vec3i& light) const;
@@ -133,7 +140,7 @@ private:
     void ambient(const ShadeState& s);
     void background(std::uint32_t weight, const Range& exact);
 
-    void light(const PassIn& in, const PassOut& out);
+    void light(const PassIn& in, const PassOut& out, std::uint32_t number);
     void judge_light_parts(const ShadeState& s, const LightParts& parts, const Vec3l& way);
     static Range power_range(const Range& base, std::uint32_t shine);
     void judge_share(const ShadeState& s, const LightParts& parts, const glm::dvec3& way);
@@ -199,6 +206,8 @@ private:
     std::uint32_t path_ = 0;        ///< with textures: length of the path so far
     std::uint32_t holes_ = 0;       ///< of textures, which the ray has passed
     std::optional<TexRsp> texel_;   ///< the last answer of tex
+    std::optional<TexturedTriangle> cutout_;   ///< that a shadow ray has met and whose texture decides
+    std::vector<std::uint32_t> light_holes_;   ///< cut-outs through whose holes the light came so far
     Colour pixel_{};
     Light exact_pixel_{};
 };

@@ -42,10 +42,7 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
     demand(in.o == bounce_ray_.o && in.d == bounce_ray_.d,
            "a pass was given another ray than the one that arrived");
     place_ = {};
-    if (answer_.found && config_.has_textures())
-        place_.texture =
-            rules_.placed ? rules_.placed->textured(answer_.prim)
-                          : textured_triangle(rules_.inputs.scene, rules_.inputs.lattice.pitch, answer_.prim);
+    if (answer_.found && config_.has_textures()) place_.texture = textured(answer_.prim);
     demand(out.leave == (place_.texture && !rules_.placed ? PassOut::Leave::texture : PassOut::Leave::again),
            "a surface sends a ray, or does not request its texture");
     if (branch_.depth == 0 && sample_ == 0 && holes_ == 0)
@@ -115,9 +112,10 @@ void PathJudge::demand_texture(const ShadeState& s, const PassOut& out) {
 
 void PathJudge::filtered(const TexReq& hit, const TexRecord& record, const TexelPlace& place,
                          const TexRsp& answer) {
-    if (!place_.texture)
+    const std::optional<TexturedTriangle>& triangle = cutout_ ? cutout_ : place_.texture;
+    if (!triangle)
         fail("a surface without a texture is drawn with one");
-    else if (const char* wrong = judge_texture(rules_.inputs, *place_.texture, hit, record, place, answer))
+    else if (const char* wrong = judge_texture(rules_.inputs, *triangle, hit, record, place, answer))
         fail(wrong);
     texel_ = answer;
 }
@@ -149,6 +147,38 @@ void PathJudge::texture(const PassIn& in, const PassOut& out) {
     demand(dot(s.n, way_of(ray)) < 0, "a ray continues on the side from which it came");
     expect_spawn(out, ray);
     demand(ShadeEvent(s.next_event) == ShadeEvent::arrive, "no pass awaits the hit of a continued ray");
+}
+
+std::optional<TexturedTriangle> PathJudge::textured(std::uint32_t primitive) const {
+    return rules_.placed
+               ? rules_.placed->textured(primitive)
+               : textured_triangle(rules_.inputs.scene, rules_.inputs.lattice.pitch, primitive);
+}
+
+bool PathJudge::has_holes(std::uint32_t primitive) const {
+    const auto triangle = textured(primitive);
+    return triangle && triangle->cutoff > 0;
+}
+
+bool PathJudge::is_hole(std::uint32_t primitive, std::uint32_t u, std::uint32_t v) const {
+    const auto triangle = textured(primitive);
+    return triangle && rayclock::is_hole(rules_.inputs, *triangle, u, v);
+}
+
+/// Judges the pass after a shadow ray has met a cut-out. An instance's own material has no texture, and hides
+/// the light.
+void PathJudge::cutout(const PassIn& in, const PassOut& out) {
+    cutout_ = textured(answer_.prim);
+    ShadeState same = in.state;
+    same.pending = out.state.pending, same.colour = out.state.colour;
+    demand(same == out.state, "the pass of a cut-out changes fields of the surface");
+    if (!cutout_) return demand(out.leave == PassOut::Leave::again, "a cut-out without a texture is asked for its hole");
+    const TexReq& hit = out.tex;
+    demand(out.leave == PassOut::Leave::texture, "the texture of a cut-out is not asked");
+    demand(in.surface.record != 0 && hit.record == in.surface.record && hit.u == answer_.u &&
+               hit.v == answer_.v && hit.path == 0 && hit.cosine == full_share && hit.scale == 0,
+           "the request to tex has another hit than the ray's");
+    texel_.reset();
 }
 
 void PathJudge::demand_lights(const ShadeState& s) {
@@ -324,9 +354,8 @@ void PathJudge::ambient(const ShadeState& s) {
 
 // ---- A light.
 
-void PathJudge::light(const PassIn& in, const PassOut& out) {
+void PathJudge::light(const PassIn& in, const PassOut& out, std::uint32_t number) {
     const ShadeState& s = in.state;
-    const std::uint32_t number = s.light;
     const auto all = std::uint32_t(rules_.inputs.scene.lights.size());
     demand(number < all, "there is no such light");
     demand(out.state.light == number + 1 &&
@@ -372,6 +401,7 @@ void PathJudge::light(const PassIn& in, const PassOut& out) {
     }
     ray.o = near ? from : *start;
     ray.is_partial = config_.planes && !to_the_point && clear;
+    ray.holes = std::uint32_t(light_holes_.size());
     lit_if_free_ = true;
     expect_spawn(out, ray);
 }

@@ -65,6 +65,40 @@ TwoTexels on_side(Int128 at, std::int64_t side, Wrap wrap, bool nearest) {
     return {first, next, place % 256};
 }
 
+/// Four texels and their weights.
+struct Footprint {
+    const TexelLevel& picture;
+    TwoTexels x, y;
+    bool is_short;   ///< rgb565
+
+    /// Returns the weighted sum of a channel, 3 for alpha, times 65536.
+    Int128 sum(std::size_t channel) const {
+        const auto value = [&](std::int64_t column, std::int64_t row) {
+            const std::uint8_t code = picture.texels[std::size_t(row * picture.width + column)][channel];
+            if (channel == 3) return is_short ? Int128(code >= 128 ? 255 : 0) : Int128(code);
+            return intensity(code, !is_short ? 255 : channel == 1 ? 63 : 31);
+        };
+        const auto along = [&](std::int64_t row) {
+            return value(x.first, row) * (256 - x.weight) + value(x.second, row) * x.weight;
+        };
+        return along(y.first) * (256 - y.weight) + along(y.second) * y.weight;
+    }
+};
+
+/// `s`, `t`: the corners' coordinates in units of 2^-20 pictures.
+Footprint footprint(const FrameInputs& inputs, const Texture& texture, std::size_t level,
+                    const std::array<std::int32_t, 3>& s, const std::array<std::int32_t, 3>& t,
+                    std::uint32_t u, std::uint32_t v) {
+    const TexelLevel& picture = texture.pyramid->levels[level];
+    const auto at = [&](const std::array<std::int32_t, 3>& c) {
+        return c[0] + floor_of(Int128(u) * (Int128(c[1]) - c[0]) + Int128(v) * (Int128(c[2]) - c[0]),
+                               Int128(1) << inputs.config.bary_bits);
+    };
+    return {picture, on_side(at(s), picture.width, texture.wrap_s, texture.nearest),
+            on_side(at(t), picture.height, texture.wrap_t, texture.nearest),
+            inputs.config.texels == TexelFormat::rgb565};
+}
+
 const char* judge_record(const FrameInputs& inputs, const TexturedTriangle& triangle,
                          const TexRecord& record) {
     const Texture& texture = *triangle.texture;
@@ -139,6 +173,17 @@ bool is_spread(const FrameInputs& inputs, int samples_per_side) {
     return is_nearest(inputs.frame.shade.spread, 64 * (std::log2(width / samples_per_side) - 0.057));
 }
 
+bool is_hole(const FrameInputs& inputs, const TexturedTriangle& triangle, std::uint32_t u, std::uint32_t v) {
+    if (triangle.cutoff <= 0) return false;
+    std::array<std::int32_t, 3> s{}, t{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        s[k] = std::int32_t(std::llround(std::ldexp(triangle.coordinates[k].x, 20)));
+        t[k] = std::int32_t(std::llround(std::ldexp(triangle.coordinates[k].y, 20)));
+    }
+    const std::int64_t cutoff = std::max<std::int64_t>(std::llround(255 * triangle.cutoff), 1);
+    return footprint(inputs, *triangle.texture, 0, s, t, u, v).sum(3) < Int128(cutoff) * 65536;
+}
+
 const char* judge_texture(const FrameInputs& inputs, const TexturedTriangle& triangle, const TexReq& hit,
                           const TexRecord& record, const TexelPlace& place, const TexRsp& answer) {
     const Texture* const texture = triangle.texture;
@@ -147,33 +192,18 @@ const char* judge_texture(const FrameInputs& inputs, const TexturedTriangle& tri
     const std::int64_t slant = std::max<std::int64_t>(64 * unit_bits - log_in_64ths(hit.cosine), 0) / 2;
     const std::int64_t detail =
         record.density + hit.scale + inputs.frame.shade.spread + log_in_64ths(hit.path) + slant;
-    const Int128 level = std::clamp<Int128>(floor_of(detail + 32, 64), 0, Int128(record.last_level));
+    const Int128 level =
+        hit.path == 0 ? Int128(0)
+                      : std::clamp<Int128>(floor_of(detail + 32, 64), 0, Int128(record.last_level));
     if (Int128(place.level) != level) return "a texture's level does not follow from the hit's distance";
 
-    const TexelLevel& picture = texture->pyramid->levels[std::size_t(level)];
-    const auto coordinate = [&](const std::array<std::int32_t, 3>& c) {
-        return c[0] + floor_of(Int128(hit.u) * (Int128(c[1]) - c[0]) + Int128(hit.v) * (Int128(c[2]) - c[0]),
-                               Int128(1) << inputs.config.bary_bits);
-    };
-    const TwoTexels x = on_side(coordinate(record.s), picture.width, texture->wrap_s, texture->nearest),
-                    y = on_side(coordinate(record.t), picture.height, texture->wrap_t, texture->nearest);
-    const bool is_short = inputs.config.texels == TexelFormat::rgb565;
-    for (std::size_t k = 0; k < 4; ++k) {
-        const auto value = [&](std::int64_t column, std::int64_t row) {
-            const std::uint8_t code = picture.texels[std::size_t(row * picture.width + column)][k];
-            if (k == 3) return is_short ? Int128(code >= 128 ? 255 : 0) : Int128(code);
-            return intensity(code, !is_short ? 255 : k == 1 ? 63 : 31);
-        };
-        const auto along = [&](std::int64_t row) {
-            return value(x.first, row) * (256 - x.weight) + value(x.second, row) * x.weight;
-        };
-        const Int128 sum = along(y.first) * (256 - y.weight) + along(y.second) * y.weight;
-        if (k == 3) {
-            if ((answer.hole != 0) != (sum < Int128(record.cutoff) * 65536))
-                return "a texture has a hole where its picture has none, or none where it has one";
-        } else if (answer.colour[k] != nearest_of_power(sum, 16))
+    const Footprint texels =
+        footprint(inputs, *texture, std::size_t(level), record.s, record.t, hit.u, hit.v);
+    if ((answer.hole != 0) != (texels.sum(3) < Int128(record.cutoff) * 65536))
+        return "a texture has a hole where its picture has none, or none where it has one";
+    for (std::size_t k = 0; k < 3; ++k)
+        if (answer.colour[k] != nearest_of_power(texels.sum(k), 16))
             return "a texture's colour differs from its picture at the hit";
-    }
     return nullptr;
 }
 

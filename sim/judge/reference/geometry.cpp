@@ -211,13 +211,13 @@ RefClosest RefGeometry::only(const RefPath& path, std::uint32_t primitive) const
     return found;
 }
 
-std::vector<std::uint32_t> RefGeometry::blockers(const RefPath& path, double distance) const {
+std::vector<RefClosest> RefGeometry::hits_before(const RefPath& path, double distance) const {
     const RefClosest limit{.depth = distance, .primitive = 0};
     const RefRay ray(path.from, path.direction);
-    std::vector<std::uint32_t> found;
+    std::vector<RefClosest> found;
     const auto keep = [&](const RefClosest& one) {
-        if (one.depth < distance && std::find(found.begin(), found.end(), one.primitive) == found.end())
-            found.push_back(one.primitive);
+        const auto is_same = [&](const RefClosest& other) { return other.primitive == one.primitive; };
+        if (one.depth < distance && std::none_of(found.begin(), found.end(), is_same)) found.push_back(one);
     };
     search(
         nodes_, ray, limit, 0,
@@ -245,6 +245,12 @@ std::vector<std::uint32_t> RefGeometry::blockers(const RefPath& path, double dis
         },
         [] {});
     return found;
+}
+
+std::vector<std::uint32_t> RefGeometry::blockers(const RefPath& path, double distance) const {
+    std::vector<std::uint32_t> numbers;
+    for (const RefClosest& hit : hits_before(path, distance)) numbers.push_back(hit.primitive);
+    return numbers;
 }
 
 RefClosest RefGeometry::watched(const RefPath& path, const RefClosest& limit, double enough) const {

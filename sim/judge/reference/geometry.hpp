@@ -50,7 +50,9 @@ public:
     /// Returns where the path meets one primitive, regardless of all others. Searches all primitives for it.
     RefClosest only(const RefPath& path, std::uint32_t primitive) const;
 
-    /// Returns all primitives that are nearer than `distance`, in arbitrary order.
+    /// Returns the hit of each primitive that is nearer than `distance`, in arbitrary order.
+    std::vector<RefClosest> hits_before(const RefPath& path, double distance) const;
+    /// Returns the primitives of these hits.
     std::vector<std::uint32_t> blockers(const RefPath& path, double distance) const;
 
 private:

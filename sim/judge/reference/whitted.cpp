@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "sim/judge/reference/holes.hpp"
 #include "sim/judge/reference/tiles.hpp"
 
 namespace rayclock {
@@ -200,7 +201,7 @@ glm::dvec3 Tracer::light(const RefPath& path, const RefSurface& surface, std::si
         return glm::dvec3(0);
     }
     shadow.direction = (position - shadow.from) / distance;
-    bool is_blocked = geometry_.is_blocked(shadow, distance);
+    bool is_blocked = hidden_at(geometry_, scene_, shadow, distance).surely;
     if (steer_) is_blocked = steer_->is_blocked(number, shadow, distance, is_blocked);
     if (watch_.see) report_ray(shadow, distance, is_blocked, geometry_.blockers(shadow, distance));
     signature_.asked(is_blocked);

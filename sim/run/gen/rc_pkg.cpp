@@ -241,18 +241,19 @@ void parts(Package& p, const Config& config) {
                    {"axis", "neg", "size", "slope", "kind", "is_partial", "self", "is_inside", "o", "d"});
     p.part<Leaves>("leaf_group", {"base", "leaves", "t_near", "offset", "count"});
     p.part<TriReq>("best", {"best_num", "best_det", "best_prim"});
-    p.part<Closest>("kept_hit", {"back", "prim", "t", "u", "v"});
+    p.part<Closest>("kept_hit", {"cutout", "back", "prim", "t", "u", "v"});
 
     p.say(
         "Parts that shade stores, and the groups of shade_state_t, in its order: "
         "model/unit/shade/state.hpp.");
     Config shading = config;   // other chips do not use these records, but tools parse the units of shade
     shading.shading = true;
-    p.part<Closest>("shade_hit", {"found", "back", "prim", "t", "u", "v"}, shading);
+    p.part<Closest>("shade_hit", {"cutout", "found", "back", "prim", "t", "u", "v"}, shading);
     p.part<Placement>("shade_place", {"here", "texel_scale", "a", "b"}, shading);
     p.part<ShadeState>("shade_pixel", {"x", "y"});
     p.part<ShadeState>("shade_every", {"next_event", "pending", "found", "prim", "t", "u", "v", "colour",
-                                       "weight", "depth", "light", "in_cell", "across", "path", "holes"});
+                                       "weight", "depth", "light", "in_cell", "across", "path", "holes",
+                                       "light_holes"});
     p.part<ShadeState>("shade_point", {"o", "normal", "view", "cosine"});
     p.part<ShadeState>("shade_face", {"n", "is_far", "is_lost", "albedo"});
     p.part<ShadeState>("shade_share", {"share"});
@@ -274,6 +275,8 @@ void derived(Package& p, const Config& c) {
     p.constant("Shades", int(c.has_shade()));
     p.constant("Streams", int(c.is_stream()));   // rays come from records in memory
     p.constant("HasTextures", int(c.has_textures()));
+    p.constant("HasKinds", int(c.has_kinds()));   // of primitives
+    p.constant("HoleBits", hole_bits);
     p.constant("Homes", int(c.has_homes()));   // secondary rays start on instances
     p.constant("OriginWidth", c.origin_width());
     p.constant("PointWidth", c.point_width());
@@ -416,7 +419,8 @@ void enumerations(Package& p) {
                             {"Away", RayKind::away}});
     p.enumeration<PrimKind>(
         "prim_kind_e", "Prim", 2,
-        {{"Triangle", PrimKind::triangle}, {"Plane", PrimKind::plane}, {"Sphere", PrimKind::sphere}});
+        {{"Triangle", PrimKind::triangle}, {"Plane", PrimKind::plane}, {"Sphere", PrimKind::sphere},
+         {"Cutout", PrimKind::cutout}});
     p.enumeration<PrimitiveTest>("primitive_test_e", "Test", 32,
                                  {{"Exact", PrimitiveTest::exact}, {"Sheared", PrimitiveTest::sheared}});
     p.say("What a pass of shade is for, what it leaves to be added, and where the context goes after it.");
@@ -429,7 +433,10 @@ void enumerations(Package& p) {
                                {"Transform", ShadeEvent::transform},
                                {"Texture", ShadeEvent::texture}});
     p.enumeration<Pending>("pending_e", "Pending", 2,
-                           {{"None", Pending::none}, {"Answer", Pending::answer}, {"Sure", Pending::sure}});
+                           {{"None", Pending::none},
+                            {"Answer", Pending::answer},
+                            {"Sure", Pending::sure},
+                            {"Texture", Pending::texture}});
     using Leave = PassOut::Leave;
     p.enumeration<Leave>("leave_e", "Leave", 2,
                          {{"Again", Leave::again},

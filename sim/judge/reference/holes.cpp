@@ -1,0 +1,77 @@
+// Finds what hides a light, with the alpha of textures in double precision.
+#include "sim/judge/reference/holes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "model/scene/texture.hpp"
+#include "model/scene/whitted.hpp"
+
+namespace rayclock {
+namespace {
+
+/// Least and largest alpha near a point of a texture.
+struct AlphaRange {
+    double least = 2, most = -1;
+};
+
+/// `error`: of s and t. The samples are as close as the machine's grid, 256ths of a texel, up to 65 on a
+/// side.
+AlphaRange alpha_near(const Texture& texture, const glm::dvec2& st, const glm::dvec2& error) {
+    const TexelLevel& picture = texture.pyramid->levels[0];
+    const glm::dvec2 grid = 512.0 * glm::dvec2(picture.width, picture.height) * error;
+    const int columns = int(std::min(std::ceil(grid.x), 64.0)), rows = int(std::min(std::ceil(grid.y), 64.0));
+    AlphaRange range;
+    for (int y = 0; y <= rows; ++y)
+        for (int x = 0; x <= columns; ++x) {
+            const glm::dvec2 part(columns == 0 ? 0 : 2.0 * x / columns - 1, rows == 0 ? 0 : 2.0 * y / rows - 1);
+            const double alpha = filtered_with_alpha(texture, st + part * error, 0).a;
+            range.least = std::min(range.least, alpha), range.most = std::max(range.most, alpha);
+        }
+    return range;
+}
+
+/// Returns the error of s and t at a hit.
+glm::dvec2 error_at(const Scene& scene, const RefClosest& hit, const RefPath& path, const HoleSlack& slack) {
+    if (slack.weight == 0 && slack.moved == 0) return glm::dvec2(0);
+    const auto& [a, b, c] = scene.coordinates[hit.primitive];
+    double weight = slack.weight;
+    if (slack.moved > 0) {
+        const auto& vertex = scene.triangles[hit.primitive].vertex;
+        const auto corner = [&](std::size_t k) { return scene.vertices[vertex[k]]; };
+        const glm::dvec3 e1 = corner(1) - corner(0), e2 = corner(2) - corner(0), n = glm::cross(e1, e2);
+        const double area = glm::length(n), cosine = std::abs(glm::dot(n, path.direction)) / area;
+        weight += slack.moved * (glm::length(e1) + glm::length(e2)) / area / std::max(cosine, 0x1p-8);
+    }
+    return weight * (glm::abs(b - a) + glm::abs(c - a)) + 0x1p-18;
+}
+
+}   // namespace
+
+Hidden hidden_at(const RefGeometry& geometry, const Scene& scene, const RefPath& path, double distance,
+                 const HoleSlack& slack) {
+    if (!geometry.is_blocked(path, distance)) return {};
+    if (scene.coordinates.empty()) return {true, true};
+    Hidden found;
+    int holes = 0;
+    for (const RefClosest& hit : geometry.hits_before(path, distance)) {
+        const Material* material = hit.primitive < scene.triangles.size()
+                                       ? &scene.materials[scene.triangles[hit.primitive].material]
+                                       : nullptr;
+        if (!material || !material->texture || material->cutoff <= 0) return {true, true};
+        const auto& [a, b, c] = scene.coordinates[hit.primitive];
+        const AlphaRange alpha =
+            alpha_near(scene.textures[*material->texture], (1 - hit.u - hit.v) * a + hit.u * b + hit.v * c,
+                       error_at(scene, hit, path, slack));
+        found.surely |= alpha.least >= material->cutoff + slack.alpha;
+        found.possibly |= alpha.most >= material->cutoff - slack.alpha;
+        ++holes;
+    }
+    if (holes > most_holes) return {true, true};
+    return found;
+}
+
+}   // namespace rayclock
