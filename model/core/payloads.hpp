@@ -232,8 +232,8 @@ struct TriReq {
 };
 
 /// tri -> list: 1 in `closer` if this primitive is the closest so far, with the hit; otherwise all zero. For
-/// a ray to or from a light `closer` means that the primitive is in the way. The rest is then zero, except for
-/// a cut-out.
+/// a ray to or from a light `closer` means that the primitive is in the way. The rest is then zero, except
+/// for a cut-out.
 struct TriRsp {
     std::uint32_t ray = 0;
     std::uint32_t closer = 0;

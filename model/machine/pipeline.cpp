@@ -107,9 +107,9 @@ void Pipeline::clock_stream(const Moves& m, const SharedMoves& shared) {
 template <Pipeline::RayFeed feed, bool levels> Shade::Leave Pipeline::turn_of(std::uint32_t ray) {
     TraceCursor& cursor = rays_[ray];
     --cursor.head;
-    // The first pass of a surface has just ended; with two levels it is the second pass.
+    // The first pass of a surface or cut-out has just ended; with two levels it is a surface's second pass.
     if (feed == RayFeed::textured && (*cursor.at & Trace::texture_flag) &&
-        cursor.at[1] - cursor.head == 1 + levels)
+        cursor.at[1] - cursor.head == (levels && !(*cursor.at & Trace::cutout_flag) ? 2 : 1))
         return Shade::Leave::texture;
     if (cursor.head > 0) return Shade::Leave::again;
     if (*cursor.at & Trace::pixel_flag) return Shade::Leave::pixel;

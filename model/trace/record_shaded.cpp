@@ -31,6 +31,7 @@ std::size_t ShadedRecorder::pixel(std::uint32_t x, std::uint32_t y, std::size_t 
             scratch.words[at++] = texture->place.line;
         }
         scratch.words[at++] = line | (texture ? Trace::texture_flag : 0) |
+                              (texture && texture->is_cutout ? Trace::cutout_flag : 0) |
                               (shader_.is_finished() ? Trace::pixel_flag : purpose_word(shader_));
         scratch.words[at++] = passes;
         spawn = shader_.spawn();

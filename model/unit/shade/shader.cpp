@@ -40,7 +40,11 @@ RayPurpose Shader::purpose() const {
 }
 
 void Shader::read_texture() {
-    Texture read{out_.tex, unpack<TexRecord>(image_->line(out_.tex.record), *config_), {}, {}};
+    Texture read{out_.tex,
+                 unpack<TexRecord>(image_->line(out_.tex.record), *config_),
+                 {},
+                 {},
+                 Pending(out_.state.pending) == Pending::texture};
     read.place = texel_place(read.request, read.record, frame_->shade.spread, *config_);
     Line texels;
     std::copy_n(image_->line(read.place.line), texels.size(), texels.begin());

@@ -89,6 +89,7 @@ public:
         TexRecord record;
         TexelPlace place;
         TexRsp answer;
+        bool is_cutout = false;   ///< of a cut-out in the way to a light
     };
     /// Returns the texture that the last run() read; null if it read none.
     const Texture* texture() const { return texture_ ? &*texture_ : nullptr; }

@@ -60,7 +60,7 @@ struct ShadeState {
     std::array<std::uint32_t, 3> share{};   ///< its contribution if it is not blocked
     /// With textures: number of holes that the light passes on its way; at most most_holes.
     std::uint32_t light_holes = 0;
-    std::uint32_t total = 0;                ///< the refracted ray was totally reflected
+    std::uint32_t total = 0;   ///< the refracted ray was totally reflected
     friend bool operator==(const ShadeState&, const ShadeState&) = default;
     /// Fields are in the groups that a chip stores and writes separately (rtl/unit/shade/rc_contexts.sv): the
     /// pixel; the fields that every pass changes; the position and view of the hit; its sides and colours; a

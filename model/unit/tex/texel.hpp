@@ -58,8 +58,8 @@ struct TexelPlace {
     }
 };
 /// Returns the level of a hit, 0 to TexRecord::last_level: 0 for a path of 0, otherwise log2 of the number of
-/// texels across a sample, rounded to nearest. The sample's width is spread * path / sqrt(cosine). This is a ray cone
-/// (Akenine-Moeller et al. 2021) whose width grows only with the length of the path.
+/// texels across a sample, rounded to nearest. The sample's width is spread * path / sqrt(cosine). This is a
+/// ray cone (Akenine-Moeller et al. 2021) whose width grows only with the length of the path.
 std::uint32_t level_of(const TexReq& hit, const TexRecord& record, std::int32_t spread);
 /// Returns the place of a hit. The corners' coordinates are interpolated by u and v and rounded down once, to
 /// coordinate_frac bits. Mirror of rtl/unit/tex/rc_texel_address.sv.

@@ -593,7 +593,8 @@ bool Guide::is_blocking_tied(const RefPath& path, double distance, bool wanted) 
                           rules_.placed ? 4 * std::max(pitch.x, std::max(pitch.y, pitch.z)) : 0, 0.5 / 255};
     const auto is_match = [&](const RefPath& moved) {
         for (const double scale : {1 - 4 * tie_size, 1 + 4 * tie_size}) {
-            const Hidden found = hidden_at(rules_.reference.geometry(), rules_.scene, moved, distance * scale, slack);
+            const Hidden found =
+                hidden_at(rules_.reference.geometry(), rules_.scene, moved, distance * scale, slack);
             if (wanted ? found.possibly : !found.surely) return true;
         }
         return false;

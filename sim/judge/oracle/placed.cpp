@@ -258,8 +258,7 @@ std::uint32_t PlacedSolids::meets_any(const PlacedRay& ray, const PlaceLetsPass&
 }
 
 /// The end of a shadow ray has s <= 1. So its margin holds however short the direction is.
-std::uint32_t PlacedSolids::blocks(const PlacedRay& ray, int frac_end,
-                                   const PlaceLetsPass& lets_pass) const {
+std::uint32_t PlacedSolids::blocks(const PlacedRay& ray, int frac_end, const PlaceLetsPass& lets_pass) const {
     std::uint32_t met = PlacedRay::nowhere;
     const double end = 2 * std::ldexp(double(longest_of(ray.ray.direction)), -frac_end) * (1 + 0x1p-40);
     each(

@@ -118,15 +118,16 @@ const char* judge_way(bool is_blocked, const Closest& answer) {
 bool lets_pass(const Cutouts& cutouts, const Config& c, const Closest& answer, std::uint32_t primitive,
                const FlatHit& hit) {
     return cutouts.has_holes(primitive) &&
-           (answer.found != 0 || cutouts.is_hole(primitive, weight_of(hit.u, hit.total, c),
-                                                 weight_of(hit.v, hit.total, c)));
+           (answer.found != 0 ||
+            cutouts.is_hole(primitive, weight_of(hit.u, hit.total, c), weight_of(hit.v, hit.total, c)));
 }
 
 /// Judges a cut-out in the way of a ray to or from a light. `hit`: the oracle's.
 const char* judge_cutout(const std::optional<FlatHit>& hit, bool ends, const Config& c,
                          const Closest& answer) {
     if (!hit) return "it misses that primitive";
-    if (ends && hit->num * (Int128(1) << c.origin_frac()) >= hit->den) return "a cut-out behind its end is named";
+    if (ends && hit->num * (Int128(1) << c.origin_frac()) >= hit->den)
+        return "a cut-out behind its end is named";
     return judge_values(*hit, c, answer);
 }
 
@@ -165,8 +166,8 @@ const char* judge_answer(const Solids& solids, const Config& c, const Ray& ray, 
         oracle::LetsPass passes;
         if (cutouts)
             passes = [&](const FlatHit& hit) { return lets_pass(*cutouts, c, answer, hit.primitive, hit); };
-        return judge_way(
-            is_shadow ? solids.blocks(r, c.origin_frac(), passes) : solids.meets_any(r, passes), answer);
+        return judge_way(is_shadow ? solids.blocks(r, c.origin_frac(), passes) : solids.meets_any(r, passes),
+                         answer);
     }
     if (answer.cutout) return "a cut-out is told where none counts";
     const Nearest nearest = solids.nearest(r);

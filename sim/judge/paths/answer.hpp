@@ -19,8 +19,8 @@ public:
 
 /// Returns the fault of a ray's answer, or null. These are judged exactly: the primitive and its side; t, u
 /// and v of triangles and planes, rounded as payloads.hpp states; whether a shadow ray is blocked, by
-/// anything but a hole; whether a sphere is hit. The t of a sphere may exceed the true one by the bound in model/unit/isect/any.hpp. So the
-/// sphere may lose to a primitive that is farther by less than this bound.
+/// anything but a hole; whether a sphere is hit. The t of a sphere may exceed the true one by the bound in
+/// model/unit/isect/any.hpp. So the sphere may lose to a primitive that is farther by less than this bound.
 ///
 /// A ray to or from a light may name a cut-out in its way, in any order. `cutouts`: null if no triangle has
 /// holes.

@@ -97,7 +97,8 @@ void PathJudge::passed(const PassIn& in, const PassOut& out) {
                         s.weight == full_weight && s.depth == 0
                   : s == last_,
            "the context's state is not what the last pass left");
-    demand(same_answer(in.hit, answer_) && in.hit.cutout == answer_.cutout, "a pass was given another answer");
+    demand(same_answer(in.hit, answer_) && in.hit.cutout == answer_.cutout,
+           "a pass was given another answer");
     const bool asks_cutout = lit_if_free_ && answer_.found && answer_.cutout;
     if (lit_ || (lit_if_free_ && !answer_.found)) add(s.share, share_);
     lit_ = lit_if_free_ = false;
@@ -126,7 +127,8 @@ void PathJudge::event(const PassIn& in, const PassOut& out) {
         cutout_.reset();
         if (lets_pass) {
             // Structures that cut space may test a triangle several times.
-            const bool is_new = std::find(light_holes_.begin(), light_holes_.end(), answer_.prim) == light_holes_.end();
+            const bool is_new =
+                std::find(light_holes_.begin(), light_holes_.end(), answer_.prim) == light_holes_.end();
             demand(is_new || config_.cuts_space() || config_.is_walked(Structure::octree),
                    "light passes the same hole twice");
             light_holes_.push_back(answer_.prim);

@@ -203,9 +203,9 @@ private:
     Colour sum_{}, least_{}, most_{};
     Light exact_sum_{};
     std::uint32_t sample_ = 0;
-    std::uint32_t path_ = 0;        ///< with textures: length of the path so far
-    std::uint32_t holes_ = 0;       ///< of textures, which the ray has passed
-    std::optional<TexRsp> texel_;   ///< the last answer of tex
+    std::uint32_t path_ = 0;                   ///< with textures: length of the path so far
+    std::uint32_t holes_ = 0;                  ///< of textures, which the ray has passed
+    std::optional<TexRsp> texel_;              ///< the last answer of tex
     std::optional<TexturedTriangle> cutout_;   ///< that a shadow ray has met and whose texture decides
     std::vector<std::uint32_t> light_holes_;   ///< cut-outs through whose holes the light came so far
     Colour pixel_{};

@@ -150,9 +150,8 @@ void PathJudge::texture(const PassIn& in, const PassOut& out) {
 }
 
 std::optional<TexturedTriangle> PathJudge::textured(std::uint32_t primitive) const {
-    return rules_.placed
-               ? rules_.placed->textured(primitive)
-               : textured_triangle(rules_.inputs.scene, rules_.inputs.lattice.pitch, primitive);
+    return rules_.placed ? rules_.placed->textured(primitive)
+                         : textured_triangle(rules_.inputs.scene, rules_.inputs.lattice.pitch, primitive);
 }
 
 bool PathJudge::has_holes(std::uint32_t primitive) const {
@@ -172,7 +171,9 @@ void PathJudge::cutout(const PassIn& in, const PassOut& out) {
     ShadeState same = in.state;
     same.pending = out.state.pending, same.colour = out.state.colour;
     demand(same == out.state, "the pass of a cut-out changes fields of the surface");
-    if (!cutout_) return demand(out.leave == PassOut::Leave::again, "a cut-out without a texture is asked for its hole");
+    if (!cutout_)
+        return demand(out.leave == PassOut::Leave::again,
+                      "a cut-out without a texture is asked for its hole");
     const TexReq& hit = out.tex;
     demand(out.leave == PassOut::Leave::texture, "the texture of a cut-out is not asked");
     demand(in.surface.record != 0 && hit.record == in.surface.record && hit.u == answer_.u &&

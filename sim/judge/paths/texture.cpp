@@ -192,9 +192,9 @@ const char* judge_texture(const FrameInputs& inputs, const TexturedTriangle& tri
     const std::int64_t slant = std::max<std::int64_t>(64 * unit_bits - log_in_64ths(hit.cosine), 0) / 2;
     const std::int64_t detail =
         record.density + hit.scale + inputs.frame.shade.spread + log_in_64ths(hit.path) + slant;
-    const Int128 level =
-        hit.path == 0 ? Int128(0)
-                      : std::clamp<Int128>(floor_of(detail + 32, 64), 0, Int128(record.last_level));
+    const Int128 level = hit.path == 0
+                             ? Int128(0)
+                             : std::clamp<Int128>(floor_of(detail + 32, 64), 0, Int128(record.last_level));
     if (Int128(place.level) != level) return "a texture's level does not follow from the hit's distance";
 
     const Footprint texels =

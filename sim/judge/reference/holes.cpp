@@ -27,7 +27,8 @@ AlphaRange alpha_near(const Texture& texture, const glm::dvec2& st, const glm::d
     AlphaRange range;
     for (int y = 0; y <= rows; ++y)
         for (int x = 0; x <= columns; ++x) {
-            const glm::dvec2 part(columns == 0 ? 0 : 2.0 * x / columns - 1, rows == 0 ? 0 : 2.0 * y / rows - 1);
+            const glm::dvec2 part(columns == 0 ? 0 : 2.0 * x / columns - 1,
+                                  rows == 0 ? 0 : 2.0 * y / rows - 1);
             const double alpha = filtered_with_alpha(texture, st + part * error, 0).a;
             range.least = std::min(range.least, alpha), range.most = std::max(range.most, alpha);
         }

@@ -251,9 +251,9 @@ void parts(Package& p, const Config& config) {
     p.part<Closest>("shade_hit", {"cutout", "found", "back", "prim", "t", "u", "v"}, shading);
     p.part<Placement>("shade_place", {"here", "texel_scale", "a", "b"}, shading);
     p.part<ShadeState>("shade_pixel", {"x", "y"});
-    p.part<ShadeState>("shade_every", {"next_event", "pending", "found", "prim", "t", "u", "v", "colour",
-                                       "weight", "depth", "light", "in_cell", "across", "path", "holes",
-                                       "light_holes"});
+    p.part<ShadeState>("shade_every",
+                       {"next_event", "pending", "found", "prim", "t", "u", "v", "colour", "weight", "depth",
+                        "light", "in_cell", "across", "path", "holes", "light_holes"});
     p.part<ShadeState>("shade_point", {"o", "normal", "view", "cosine"});
     p.part<ShadeState>("shade_face", {"n", "is_far", "is_lost", "albedo"});
     p.part<ShadeState>("shade_share", {"share"});
@@ -417,10 +417,11 @@ void enumerations(Package& p) {
                             {"Bounce", RayKind::bounce},
                             {"Shadow", RayKind::shadow},
                             {"Away", RayKind::away}});
-    p.enumeration<PrimKind>(
-        "prim_kind_e", "Prim", 2,
-        {{"Triangle", PrimKind::triangle}, {"Plane", PrimKind::plane}, {"Sphere", PrimKind::sphere},
-         {"Cutout", PrimKind::cutout}});
+    p.enumeration<PrimKind>("prim_kind_e", "Prim", 2,
+                            {{"Triangle", PrimKind::triangle},
+                             {"Plane", PrimKind::plane},
+                             {"Sphere", PrimKind::sphere},
+                             {"Cutout", PrimKind::cutout}});
     p.enumeration<PrimitiveTest>("primitive_test_e", "Test", 32,
                                  {{"Exact", PrimitiveTest::exact}, {"Sheared", PrimitiveTest::sheared}});
     p.say("What a pass of shade is for, what it leaves to be added, and where the context goes after it.");
