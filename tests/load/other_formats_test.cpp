@@ -100,7 +100,7 @@ TEST_CASE("3ds: materials by face, and faces in the order of the file") {
     CHECK(scene.materials[scene.triangles[2].material].name == "default");
     CHECK(scene.triangles[4].material == scene.triangles[2].material);
     REQUIRE(told_3ds.notes.size() == 2);
-    CHECK_THAT(told_3ds.notes[0], Contains("1 material with textures"));
+    CHECK_THAT(told_3ds.notes[0], Contains("1 material with other textures"));
     CHECK_THAT(told_3ds.notes[1], Contains("key frames"));
 }
 
