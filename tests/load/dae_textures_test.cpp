@@ -347,6 +347,22 @@ TEST_CASE("dae: wrong coordinates are refused with their line, if a picture need
     CHECK(refusal(document).empty());
 }
 
+TEST_CASE("dae: every changed byte of a file with a picture loads or is refused") {
+    const Folder folder;
+    folder.write("p.png", picture());
+    const std::string sound = Document{}.text();
+    std::size_t drawn = 0, refused = 0;
+    for (std::size_t i = 0; i < sound.size(); i += 3) {
+        std::string changed = sound;
+        changed[i] = char(changed[i] ^ (1 << (i % 7)));
+        const std::string said = complaint(folder.write("a.dae", changed));
+        refused += !said.empty(), drawn += said.empty();
+        REQUIRE(said.find('\n') == said.npos);
+    }
+    CHECK(drawn > 100);
+    CHECK(refused > 100);
+}
+
 TEST_CASE("dae: other textures are left out with a note") {
     Document document;
     document.shader =

@@ -161,6 +161,22 @@ TEST_CASE("3ds: wrong coordinates are refused, if a picture needs them") {
     CHECK_THAT(refusal(tds(chunk(0xa200, chunk(0xa300, "p.png")))), Contains("a name without an end"));
 }
 
+TEST_CASE("3ds: every changed byte of a file with a picture loads or is refused") {
+    const Folder folder;
+    folder.write("p.png", picture());
+    const std::string sound = tds(map_of("p.png", chunk(0xa351, word(2)) + chunk(0xa354, raw(0.5f))));
+    std::size_t drawn = 0, refused = 0;
+    for (std::size_t i = 0; i < 8 * sound.size(); i += 5) {
+        std::string changed = sound;
+        changed[i / 8] = char(changed[i / 8] ^ (1 << (i % 8)));
+        const std::string said = complaint(folder.write("a.3ds", changed));
+        refused += !said.empty(), drawn += said.empty();
+        REQUIRE(said.find('\n') == said.npos);
+    }
+    CHECK(drawn > 100);
+    CHECK(refused > 100);
+}
+
 TEST_CASE("obj, gltf, dae and 3ds show the corners of a picture at the same places") {
     const Folder folder;
     folder.write("p.png", picture());

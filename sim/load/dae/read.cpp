@@ -1,4 +1,4 @@
-// DAE (COLLADA 1.4 and 1.5). Reads the tree of nodes, meshes, the file's pose of skins and morphs, normals
+// DAE (COLLADA 1.4 and 1.5). Reads the tree of nodes, meshes, the file's pose of skins and morphs, normals,
 // colours of materials and their pictures. Turns the up axis to y. Leaves out cameras, lights and animations,
 // with a note.
 #include <deque>
@@ -152,6 +152,7 @@ private:
 
     void place(const Copy& copy) {
         if (!copy.parts) return;
+        document_.charge(copy.parts->size() * sizeof(DaePart));   // parts may be empty, and copies many
         for (const DaePart& part : *copy.parts) {
             const XmlElement* const found = material(copy.bindings, part.symbol);
             lost_materials_ += !found && !part.symbol.empty();
