@@ -45,7 +45,8 @@ template <class Part> void append_triangles(Scene& scene, const Part& part, cons
         }
     }
     if (!part.coordinates.empty() || !scene.coordinates.empty()) {
-        make_room(scene.coordinates, scene.triangles.size() + part.triangles.size());
+        const std::size_t missing = scene.triangles.size() - scene.coordinates.size();
+        make_room(scene.coordinates, missing + part.triangles.size());
         scene.coordinates.resize(scene.triangles.size());
         for (std::size_t i = 0; i < part.triangles.size(); ++i) {
             CornerCoordinates corners = part.coordinates.empty() ? CornerCoordinates{} : part.coordinates[i];

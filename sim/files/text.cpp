@@ -117,6 +117,22 @@ std::string lower(std::string_view text) {
     return small;
 }
 
+std::string decode_percent(std::string_view uri) {
+    std::string name;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        const auto digit = [&](std::size_t at) {
+            return std::string_view("0123456789abcdef").find(lower(uri.substr(at, 1)));
+        };
+        if (uri[i] == '%' && i + 2 < uri.size() && digit(i + 1) < 16 && digit(i + 2) < 16) {
+            name += static_cast<char>(digit(i + 1) * 16 + digit(i + 2));
+            i += 2;
+        } else {
+            name += uri[i];
+        }
+    }
+    return name;
+}
+
 void check_text(std::string_view line, const SourcePosition& at, std::string_view kind) {
     for (const char c : line)
         if ((static_cast<unsigned char>(c) < 0x20 && !is_blank(c)) || c == 0x7f)

@@ -49,6 +49,9 @@ std::string_view without_mark(std::string_view text);
 /// Returns the text in lower case (ASCII only).
 std::string lower(std::string_view text);
 
+/// Decodes the percent escapes of a URI, such as %20.
+std::string decode_percent(std::string_view uri);
+
 /// Throws UserError if a line holds control characters: the file is not text, even if its extension says so.
 void check_text(std::string_view line, const SourcePosition& at, std::string_view kind);
 

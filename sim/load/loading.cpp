@@ -10,6 +10,14 @@
 #include "sim/files/input.hpp"
 
 namespace rayclock {
+namespace {
+
+/// The library of picture formats gives advice in further lines.
+std::string first_line(std::string_view reason) {
+    return printable(reason.substr(0, reason.find('\n')), 200);
+}
+
+}   // namespace
 
 std::string Loading::read(const std::filesystem::path& path, const std::string& asked_by) {
     std::string bytes = read_file(path, asked_by);
@@ -33,7 +41,7 @@ std::optional<glm::vec4> Loading::average(const std::string& bytes, std::string&
     try {
         return average_(bytes);
     } catch (const std::runtime_error& error) {
-        why = printable(error.what(), 200);
+        why = first_line(error.what());
         return std::nullopt;
     }
 }
@@ -42,7 +50,7 @@ std::optional<TexelLevel> Loading::picture(const std::string& bytes, std::string
     try {
         return decode_(bytes);
     } catch (const std::runtime_error& error) {
-        why = printable(error.what(), 200);
+        why = first_line(error.what());
         return std::nullopt;
     }
 }

@@ -10,7 +10,8 @@
 namespace rayclock {
 namespace {
 
-double fraction(double x) { return std::clamp(x, 0.0, 1.0); }
+/// NaN, which a binary file may hold, becomes 0.
+double fraction(double x) { return x > 0 ? std::min(x, 1.0) : 0; }
 glm::dvec3 fractions(const glm::vec3& c) { return {fraction(c.r), fraction(c.g), fraction(c.b)}; }
 
 /// Replaces infinity, to which a file's double beyond the range of float converts, by the default.

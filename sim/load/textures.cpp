@@ -11,6 +11,7 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/scene/view.hpp"
+#include "sim/files/text.hpp"
 
 namespace rayclock {
 namespace {
@@ -43,6 +44,10 @@ private:
     std::map<std::uint32_t, std::uint32_t> made_;
     std::map<std::uint32_t, glm::dvec3> averages_;
 };
+
+std::string picture_name(const std::filesystem::path& path) {
+    return "the picture " + printable(path.string());
+}
 
 /// Frees the memory too.
 void drop_coordinates(PlacedScene& scene) {
@@ -242,6 +247,77 @@ std::shared_ptr<const Pyramid> read_pyramid(const std::string& bytes, const std:
         loading.note(file, fmt::format("{} has {} x {} texels, drawn with {} x {}", name, width, height,
                                        texture_side(width), texture_side(height)));
     return std::make_shared<const Pyramid>(make_pyramid(resampled(*picture)));
+}
+
+std::string portable_name(std::string name) {
+    std::replace(name.begin(), name.end(), '\\', '/');
+    const bool has_drive = name.size() > 1 && name[1] == ':';
+    if (has_drive || name.starts_with('/')) name = std::filesystem::path(name).filename().string();
+    return name;
+}
+
+std::shared_ptr<const Pyramid> PictureFiles::pyramid(const std::filesystem::path& folder,
+                                                     const std::string& name) {
+    const std::filesystem::path path = spelled_on_disk((folder / name).lexically_normal());
+    const auto [found, is_new] = pyramids_.try_emplace(path.string());
+    if (!is_new) return found->second;
+    const std::optional<std::string> bytes = this->bytes(path, name);
+    if (!bytes) return nullptr;
+    std::string why;
+    found->second = read_pyramid(*bytes, file_, picture_name(path), loading_, why);
+    if (!found->second) note_unreadable(path, why);
+    return found->second;
+}
+
+std::optional<glm::vec4> PictureFiles::average(const std::filesystem::path& folder, const std::string& name) {
+    const std::filesystem::path path = spelled_on_disk((folder / name).lexically_normal());
+    const auto [found, is_new] = averages_.try_emplace(path.string());
+    if (!is_new) return found->second;
+    const std::optional<std::string> bytes = this->bytes(path, name);
+    if (!bytes) return std::nullopt;
+    std::string why;
+    found->second = loading_.average(*bytes, why);
+    if (!found->second) note_unreadable(path, why);
+    return found->second;
+}
+
+const PictureFiles::Listing& PictureFiles::listing(const std::filesystem::path& folder) {
+    const auto [found, is_new] = listings_.try_emplace(folder.string());
+    if (!is_new) return found->second;
+    std::error_code error;
+    std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, error);
+    for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        const auto [known, is_first] = found->second.try_emplace(lower(name), name);
+        if (!is_first) known->second = std::min(known->second, name);
+    }
+    return found->second;
+}
+
+/// Returns the file whose name differs only in case, or the path itself if there is none.
+std::filesystem::path PictureFiles::spelled_on_disk(const std::filesystem::path& path) {
+    std::error_code error;
+    if (std::filesystem::exists(path, error)) return path;
+    const Listing& names = listing(path.parent_path());
+    const auto found = names.find(lower(path.filename().string()));
+    return found == names.end() ? path : path.parent_path() / found->second;
+}
+
+std::optional<std::string> PictureFiles::bytes(const std::filesystem::path& path, const std::string& name) {
+    std::string bytes;
+    try {
+        bytes = loading_.read(path);
+    } catch (const UserError& error) {
+        loading_.note(file_, std::string("a picture is not drawn: ") + error.what());
+        return std::nullopt;
+    }
+    if (leaves_folder(name))
+        loading_.note(file_, picture_name(path) + " lies outside the folder of the " + namer_);
+    return bytes;
+}
+
+void PictureFiles::note_unreadable(const std::filesystem::path& path, const std::string& why) const {
+    loading_.note(file_, picture_name(path) + " is not drawn: " + printable(why, 300));
 }
 
 void settle_textures(PlacedScene& scene, const std::string& where, Loading& loading) {

@@ -1,7 +1,10 @@
 #pragma once
 // Textures of loaded scenes: decodes pictures to mip levels, and completes the coordinates of all triangles
 // in the last step of a load.
+#include <filesystem>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "sim/load/loading.hpp"
@@ -20,6 +23,45 @@ std::string coordinate_fault(const Texture& texture, const CornerCoordinates& co
 /// notes, `name` the picture. Throws UserError if the picture exceeds the allowance.
 std::shared_ptr<const Pyramid> read_pyramid(const std::string& bytes, const std::string& file,
                                             const std::string& name, Loading& loading, std::string& why);
+
+/// The continuation of a note about a "material" that shows the average colour of its picture.
+constexpr const char* averaged_texture = "with a texture of its colour, drawn in the mean of the texture";
+
+/// Returns the name of a picture with / as the separator. An absolute name becomes the name of a file next to
+/// the mesh: its folder is one of the author's machine.
+std::string portable_name(std::string name);
+
+/// The pictures that a mesh file names. Reads each once. The case of names does not matter, because programs
+/// for DOS and Windows do not keep it. Meshes often travel without their pictures, so an unreadable picture
+/// only causes a note.
+class PictureFiles {
+public:
+    /// `file` begins the notes. `namer` is the kind of file that holds the names, for example "mesh". The
+    /// caller must keep `loading` alive.
+    PictureFiles(std::string file, std::string namer, Loading& loading)
+        : file_(std::move(file)), namer_(std::move(namer)), loading_(loading) {}
+
+    /// Returns the levels of the picture `name`, which is relative to `folder`. Returns null if it cannot be
+    /// read.
+    std::shared_ptr<const Pyramid> pyramid(const std::filesystem::path& folder, const std::string& name);
+    /// Returns its average: linear red, green, blue, and opacity. Returns nothing if it cannot be read.
+    std::optional<glm::vec4> average(const std::filesystem::path& folder, const std::string& name);
+
+private:
+    /// The files of a folder by their names in lower case; of equal ones, the first in the alphabet.
+    using Listing = std::map<std::string, std::string>;
+
+    const Listing& listing(const std::filesystem::path& folder);
+    std::filesystem::path spelled_on_disk(const std::filesystem::path& path);
+    std::optional<std::string> bytes(const std::filesystem::path& path, const std::string& name);
+    void note_unreadable(const std::filesystem::path& path, const std::string& why) const;
+
+    std::string file_, namer_;
+    Loading& loading_;
+    std::map<std::string, std::shared_ptr<const Pyramid>> pyramids_;   ///< by path
+    std::map<std::string, std::optional<glm::vec4>> averages_;         ///< by path
+    std::map<std::string, Listing> listings_;                          ///< by folder
+};
 
 /// Completes the textures of a loaded scene. Shifts the coordinates of each textured triangle close to 0.
 /// Triangles without coordinates, spheres and planes get the average colour of their texture. Removes all

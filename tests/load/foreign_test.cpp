@@ -6,6 +6,9 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include <glm/geometric.hpp>
+
+#include "sim/files/image/image.hpp"
 #include "sim/load/import/assimp.hpp"
 #include "sim/files/process/process.hpp"
 #include "tests/support/scenes/scene_files.hpp"
@@ -74,6 +77,39 @@ TEST_CASE("assimp: a file of another kind is drawn where its author put it, pack
     }
     const std::string said = complaint(folder.write("b.fbx", "Dear Sir or Madam"));
     CHECK_THAT(said, Contains("b.fbx: Assimp cannot read it: ") && !Contains("ERROR"));
+}
+
+TEST_CASE("assimp: pictures keep their coordinates, and t counts up in AC3D") {
+    if (!is_there()) return;   // without Assimp nothing can be tested
+    const Folder folder;
+    folder.write("p.png", png_bytes({{2, 2}, {{1, 1, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}));
+    const Scene scene = folder.load("a.ac", R"(AC3Db
+MATERIAL "m" rgb 1 1 1 amb 1 1 1 emis 0 0 0 spec 0 0 0 shi 0 trans 0
+OBJECT world
+kids 1
+OBJECT poly
+texture "p.png"
+numvert 3
+0 0 0
+1 0 0
+0 1 0
+numsurf 1
+SURF 0x20
+mat 0
+refs 3
+0 0 0
+1 0.75 0
+2 0 0.5
+kids 0
+)");
+    REQUIRE(scene.textures.size() == 1);
+    REQUIRE(scene.coordinates.size() == 1);
+    CHECK(scene.textures[0].pyramid->levels[0].texels[1] == std::array<std::uint8_t, 4>{255, 0, 0, 255});
+    const Corners corners = corners_of(scene).at(0);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec2 wanted(0.75 * corners[k].x, 1 - 0.5 * corners[k].y);
+        CHECK(glm::length(scene.coordinates[0][k] - wanted) < 1e-6);
+    }
 }
 
 TEST_CASE("assimp: a file name is one argument, whatever its characters") {

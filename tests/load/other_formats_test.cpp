@@ -1,6 +1,8 @@
 // OFF, 3DS, DAE, gzip, and the textures of glTF: accepted files, and the messages for refused ones.
 #include <catch2/catch.hpp>
 
+#include <limits>
+
 #include <glm/geometric.hpp>
 
 #include "sim/files/image/image.hpp"
@@ -36,6 +38,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     REQUIRE(text.find(from) != text.npos);
     return text.replace(text.find(from), from.size(), to);
 }
+std::string word(int value) { return raw(static_cast<std::uint16_t>(value)); }
 constexpr const char* tetrahedron = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
 
 }   // namespace
@@ -100,8 +103,29 @@ TEST_CASE("3ds: materials by face, and faces in the order of the file") {
     CHECK(scene.materials[scene.triangles[2].material].name == "default");
     CHECK(scene.triangles[4].material == scene.triangles[2].material);
     REQUIRE(told_3ds.notes.size() == 2);
-    CHECK_THAT(told_3ds.notes[0], Contains("1 material with textures"));
+    CHECK_THAT(told_3ds.notes[0], Contains("1 material with other textures"));
     CHECK_THAT(told_3ds.notes[1], Contains("key frames"));
+}
+
+TEST_CASE("3ds: a colour that is not a number counts as 0, with a note") {
+    const Folder folder;
+    std::string colour;
+    for (const float x : {std::numeric_limits<float>::quiet_NaN(), 0.5f, 7.0f}) colour += raw(x);
+    const std::string material =
+        chunk(0xafff, chunk(0xa000, std::string("m\0", 2)) + chunk(0xa020, chunk(0x0010, colour)) +
+                          chunk(0xa030, chunk(0x0010, colour)));
+    const std::string faces = word(1) + word(0) + word(1) + word(2) + word(0) +
+                              chunk(0x4130, std::string("m\0", 2) + word(1) + word(0));
+    std::string positions = word(3);
+    for (const float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 0.f, 1.f}) positions += raw(x);
+    const std::string mesh = chunk(0x4100, chunk(0x4110, positions) + chunk(0x4120, faces));
+    const Told made =
+        told(folder, "a.3ds",
+             chunk(0x4d4d, chunk(0x3d3d, material + chunk(0x4000, std::string("o\0", 2) + mesh))));
+    CHECK(made.scene.materials.at(0).colour == glm::dvec3(0, 0.5, 1));
+    CHECK(made.scene.materials.at(0).highlight == 1);
+    REQUIRE(made.notes.size() == 1);
+    CHECK_THAT(made.notes[0], Contains("1 material with values out of range"));
 }
 
 TEST_CASE("3ds: what makes no sense is refused") {

@@ -1,10 +1,8 @@
 // Textures from files: coordinates in OBJ, glTF and JSON, samplers, transforms, missing or invalid pictures,
 // and --no-textures.
 #include <cmath>
-#include <cstring>
 
 #include <catch2/catch.hpp>
-#include <zlib.h>
 
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
@@ -12,6 +10,7 @@
 #include "model/scene/placed.hpp"
 #include "sim/files/image/average.hpp"
 #include "sim/files/image/image.hpp"
+#include "tests/support/scenes/picture_files.hpp"
 #include "tests/support/scenes/scene_files.hpp"
 
 namespace rayclock::test::textures_test {
@@ -135,59 +134,6 @@ std::string json_complaint(const Json& document) {
         return error.what();
     }
     return {};
-}
-
-/// A chunk of a PNG file, with its checksum.
-std::string png_chunk(const std::string& kind, const std::string& data) {
-    const std::string sealed = kind + data;
-    const auto sum = std::uint32_t(
-        crc32(0, reinterpret_cast<const Bytef*>(sealed.data()), static_cast<uInt>(sealed.size())));
-    return raw(std::uint32_t(data.size()), true) + sealed + raw(sum, true);
-}
-
-/// A PNG file. `rows` holds the rows, each after its filter byte 0. `others` are chunks before the pixels.
-std::string png_of(std::uint32_t width, std::uint32_t height, int depth, int colour_type,
-                   const std::string& rows, const std::string& others = {}) {
-    uLongf size = compressBound(uLong(rows.size()));
-    std::string packed(size, '\0');
-    compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(rows.data()),
-             uLong(rows.size()));
-    packed.resize(size);
-    const std::string header =
-        raw(width, true) + raw(height, true) + char(depth) + char(colour_type) + std::string(3, '\0');
-    return "\x89PNG\r\n\x1a\n" + png_chunk("IHDR", header) + others + png_chunk("IDAT", packed) +
-           png_chunk("IEND", "");
-}
-
-/// A BMP or TGA file of 2 x 1 pixels: the codes 255, 128, 0 and 0, 0, 64.
-std::string small_bmp() {
-    return "BM" + raw(std::uint32_t(62)) + raw(std::uint32_t(0)) + raw(std::uint32_t(54)) +
-           raw(std::uint32_t(40)) + raw(std::uint32_t(2)) + raw(std::uint32_t(1)) + raw(std::uint16_t(1)) +
-           raw(std::uint16_t(24)) + std::string(24, '\0') + std::string("\0\x80\xff\x40\0\0\0\0", 8);
-}
-std::string small_tga() {
-    return std::string("\0\0\2\0\0\0\0\0\0\0\0\0", 12) + raw(std::uint16_t(2)) + raw(std::uint16_t(1)) +
-           "\x18" + std::string("\0\0\x80\xff\x40\0\0", 7) + std::string(8, '\0') +
-           std::string("TRUEVISION-XFILE.\0", 18);
-}
-
-/// A TIFF file of two pixels: 32, 96, 128, 128 and 0, 0, 0, 0. `extra`: 1 if colours are multiplied by alpha,
-/// 2 if not.
-std::string small_tiff(std::uint16_t extra) {
-    const std::string pixels("\x20\x60\x80\x80\0\0\0\0", 8);
-    std::string file = "II" + raw(std::uint16_t(42)) + raw(std::uint32_t(24)) + pixels;   // pixels at 8
-    for (int i = 0; i < 4; ++i) file += raw(std::uint16_t(8));                            // bits at 16
-    const auto entry = [](int tag, int type, std::uint32_t count, std::uint32_t value) {
-        return raw(std::uint16_t(tag)) + raw(std::uint16_t(type)) + raw(count) + raw(value);
-    };
-    return file + raw(std::uint16_t(10)) + entry(256, 3, 1, 2) + entry(257, 3, 1, 1) + entry(258, 3, 4, 16) +
-           entry(259, 3, 1, 1) + entry(262, 3, 1, 2) + entry(273, 4, 1, 8) + entry(277, 3, 1, 4) +
-           entry(278, 3, 1, 1) + entry(279, 4, 1, 8) + entry(338, 3, 1, extra) + raw(std::uint32_t(0));
-}
-
-/// A Radiance file of 2 x 1 pixels: 0.5, 0.25, 0 and black.
-std::string small_hdr() {
-    return "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n" + std::string("\x80\x40\0\x80\0\0\0\0", 8);
 }
 
 using Texels = std::vector<std::array<std::uint8_t, 4>>;

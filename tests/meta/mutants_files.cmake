@@ -18,6 +18,23 @@ mutant(load_buffer_from_anywhere FILE sim/load/gltf/buffers.cpp TEST load "a glT
   OLD [[if (leaves_folder(name))]]
   NEW [[if (name.empty())]])
 
+# ---- Pictures of meshes.
+mutant(load_dae_t_counts_down FILE sim/load/dae/geometry.cpp TEST load "dae: a picture by its sampler*"
+  OLD [[return {given.x, 1 - given.y};]]
+  NEW [[return given;]])
+mutant(load_dae_always_the_first_set FILE sim/load/dae/geometry.cpp TEST load "dae: bind_vertex_input*"
+  OLD [[set ? sets.find(*set) : sets.begin()]]
+  NEW [[sets.begin()]])
+mutant(load_3ds_t_counts_down FILE sim/load/mesh/read_3ds.cpp TEST load "3ds: a picture replaces*"
+  OLD [[return {given.x, 1 - given.y};]]
+  NEW [[return given;]])
+mutant(load_picture_of_equal_texels FILE sim/files/image/codec.cpp TEST load "pictures: a small file must*"
+  OLD [[std::int64_t{width()} * height() * texel_bytes >]]
+  NEW [[0 * texel_bytes >]])
+mutant(load_cut_jpeg_is_drawn FILE sim/files/image/codec.cpp TEST load "pictures: each beginning*"
+  OLD [[plugin == "jpeg" && is_cut_jpeg(bytes)]]
+  NEW [[is_cut_jpeg({})]])
+
 # ---- Input that is damaged or cut off.
 mutant(files_gzip_cut_off_is_taken FILE sim/load/gunzip.cpp TEST load "gzip: damaged*"
   OLD [[            is_open = false;]]

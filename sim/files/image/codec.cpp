@@ -205,6 +205,12 @@ const char* plugin_of(const std::string& bytes) {
     throw std::runtime_error("it is not PNG, JPEG, BMP, TIFF, TGA (version 2), OpenEXR or HDR");
 }
 
+/// Returns true if a JPEG file ends before its picture. The library then makes up the missing texels.
+bool is_cut_jpeg(std::string_view bytes) {
+    const std::size_t scan = bytes.rfind("\xff\xda"), end = bytes.rfind("\xff\xd9");
+    return scan != bytes.npos && (end == bytes.npos || end < scan);
+}
+
 /// A picture in the memory. Reads it row by row, so that averaging needs little memory, and a truncated file
 /// fails before its memory is filled.
 class TextureReader {
@@ -213,6 +219,7 @@ public:
     explicit TextureReader(const std::string& bytes)
         : memory_(const_cast<char*>(bytes.data()), bytes.size()) {
         const std::string plugin = plugin_of(bytes);
+        if (plugin == "jpeg" && is_cut_jpeg(bytes)) throw std::runtime_error("the file is cut off");
         input_ = OIIO::ImageInput::create(plugin);
         if (!input_ || !input_->set_ioproxy(&memory_)) throw std::runtime_error(OIIO::geterror());
         OIIO::ImageSpec wish;
@@ -225,6 +232,13 @@ public:
             std::int64_t{width()} * height() > most_picture_pixels)
             throw std::runtime_error(std::to_string(width()) + "x" + std::to_string(height()) +
                                      " texels are too many");
+        const std::int64_t texel_bytes = std::max<std::int64_t>(sizeof(std::array<std::uint8_t, 4>),
+                                                                std::int64_t(spec_.pixel_bytes(true)));
+        if (std::int64_t{width()} * height() * texel_bytes >
+            std::max(least_picture_bytes, picture_bytes_for_a_byte * std::int64_t(bytes.size())))
+            throw std::runtime_error(std::to_string(width()) + "x" + std::to_string(height()) +
+                                     " texels in a file of " + std::to_string(bytes.size()) +
+                                     " bytes are too many");
         // The library divides by alpha only for some formats.
         is_divided_ = (plugin != "openexr" && plugin != "tiff") ||
                       spec_.get_int_attribute("oiio:UnassociatedAlpha") != 0;

@@ -67,10 +67,10 @@ void DaeControllers::apply(const XmlElement& controller, const XmlElement& insta
         this->morph(*morph, pose);
 }
 
-const DaeTriples* DaeControllers::positions(const XmlElement* geometry) {
+const DaePoints* DaeControllers::positions(const XmlElement* geometry) {
     const XmlElement* const vertices = geometry ? geometry->at("mesh/vertices") : nullptr;
     const XmlElement* const position = vertices ? input(*vertices, "POSITION") : nullptr;
-    return position ? &document_.triples(*position) : nullptr;
+    return position ? &document_.points(*position) : nullptr;
 }
 
 std::vector<std::string> DaeControllers::words(const XmlElement& input) {
@@ -90,14 +90,14 @@ void DaeControllers::morph(const XmlElement& in, DaePose& pose) {
     const std::vector<float>& weights =
         document_.array(document_.array_of(document_.target(*given, "source")));
     const std::vector<std::string> ids = words(*names);
-    const DaeTriples& base = *positions(pose.geometry);
+    const DaePoints& base = *positions(pose.geometry);
     document_.charge(sizeof(glm::dvec3) * base.count * (1 + ids.size()));
     std::vector<glm::dvec3> moved(base.count, glm::dvec3(0));
     double sum = 0;
     for (std::size_t t = 0; t < std::min(ids.size(), weights.size()); ++t) {
         if (weights[t] == 0) continue;
         if (!std::isfinite(weights[t])) document_.refuse(*targets, fmt::format("a weight of {}", weights[t]));
-        const DaeTriples* const target = positions(document_.with_id(ids[t]));
+        const DaePoints* const target = positions(document_.with_id(ids[t]));
         if (!target || target->count != base.count) {
             ++faults_.other_targets;
             continue;

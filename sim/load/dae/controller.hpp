@@ -52,7 +52,7 @@ private:
     const XmlElement* node(const std::string& name, const XmlElement& instance);
     const Names& names_below(const XmlElement& root);
     std::vector<std::string> words(const XmlElement& input);
-    const DaeTriples* positions(const XmlElement* geometry);
+    const DaePoints* positions(const XmlElement* geometry);
 
     DaeDocument& document_;
     const Places& places_;

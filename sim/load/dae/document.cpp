@@ -133,31 +133,31 @@ const XmlElement& DaeDocument::array_of(const XmlElement& source) const {
     return target(*accessor, "source");
 }
 
-const DaeTriples& DaeDocument::triples(const XmlElement& input) {
+const DaePoints& DaeDocument::points(const XmlElement& input, std::uint64_t width) {
     const XmlElement& source = target(input, "source");
-    const auto [found, is_new] = triples_.try_emplace(&source);
-    if (is_new) found->second = read_triples(source);
-    return found->second;
+    const auto known = points_.find({&source, width});
+    if (known != points_.end()) return known->second;
+    return points_.emplace(std::pair{&source, width}, read_points(source, width)).first->second;
 }
 
-DaeTriples DaeDocument::read_triples(const XmlElement& source) {
-    DaeTriples made{.numbers = &array(array_of(source))};
+DaePoints DaeDocument::read_points(const XmlElement& source, std::uint64_t width) {
+    DaePoints made{.numbers = &array(array_of(source))};
     const XmlElement& accessor = *source.at("technique_common/accessor");
     made.count = whole(accessor, "count", 0);
     made.first = whole(accessor, "offset", 0);
     made.stride = whole(accessor, "stride", 1);
-    if (made.stride < 3)
-        refuse(accessor, fmt::format("a stride of {}, and a point has 3 numbers", made.stride));
-    // A parameter without a name is skipped. If fewer than three have a name, the first three numbers are the
+    if (made.stride < width)
+        refuse(accessor, fmt::format("a stride of {}, and a point has {} numbers", made.stride, width));
+    // A parameter without a name is skipped. If fewer than `width` have a name, the first numbers are the
     // point.
     std::uint64_t named = 0, number = 0;
     for (const XmlElement& param : accessor.children) {
         if (param.name != "param") continue;
-        if (named < 3 && !param.attribute("name").empty()) made.part[named++] = number;
+        if (named < width && !param.attribute("name").empty()) made.part[named++] = number;
         ++number;
     }
-    if (named < 3) made.part = {0, 1, 2};
-    const std::uint64_t last = made.part[2] + 1, all = made.numbers->size();
+    if (named < width) made.part = {0, 1, 2};
+    const std::uint64_t last = made.part[width - 1] + 1, all = made.numbers->size();
     if (last > made.stride)
         refuse(accessor, fmt::format("{} params, and a stride of {}", number, made.stride));
     if (made.count > 0 && (made.first > all || (all - made.first) / made.stride + 1 < made.count ||

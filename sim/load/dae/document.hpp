@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "sim/load/loading.hpp"
@@ -14,15 +15,20 @@
 
 namespace rayclock {
 
-/// Triples of numbers in an array, as the accessor of a source describes them. The document owns the array.
-struct DaeTriples {
+/// Points in an array, as the accessor of a source describes them: x, y, z in space, or s, t on a picture.
+/// The document owns the array.
+struct DaePoints {
     const std::vector<float>* numbers = nullptr;
     std::uint64_t first = 0, stride = 3, count = 0;
-    std::array<std::uint64_t, 3> part{0, 1, 2};   ///< offsets of x, y and z in an entry
+    std::array<std::uint64_t, 3> part{0, 1, 2};   ///< offsets of the numbers in an entry
 
     glm::dvec3 operator[](std::uint64_t i) const {
         const float* const entry = numbers->data() + first + i * stride;
         return {entry[part[0]], entry[part[1]], entry[part[2]]};
+    }
+    glm::dvec2 on_picture(std::uint64_t i) const {
+        const float* const entry = numbers->data() + first + i * stride;
+        return {entry[part[0]], entry[part[1]]};
     }
 };
 
@@ -59,8 +65,8 @@ public:
     /// Returns the position of an input's index among the indices of a corner.
     std::uint64_t offset(const XmlElement& input) const;
 
-    /// Returns the triples of the source that an input names.
-    const DaeTriples& triples(const XmlElement& input);
+    /// Returns the points of the source that an input names. `width`: the numbers of a point, 2 or 3.
+    const DaePoints& points(const XmlElement& input, std::uint64_t width = 3);
     /// Returns the array of words (names, ids) or numbers that a source's accessor names.
     const XmlElement& array_of(const XmlElement& source) const;
 
@@ -77,7 +83,7 @@ private:
     };
     void collect(const XmlElement& element, std::uint32_t frame);
     Frame frame(const XmlElement& asset, Frame inherited) const;
-    DaeTriples read_triples(const XmlElement& source);
+    DaePoints read_points(const XmlElement& source, std::uint64_t width);
     /// Replaces a decimal comma by a point: some programs write numbers in the user's locale.
     std::string_view with_point(std::string_view word) const;
 
@@ -87,7 +93,7 @@ private:
     mutable std::string commas_;   ///< the last word with a comma; the result of with_point() refers to it
     std::map<std::string, const XmlElement*> by_id_;
     std::map<const XmlElement*, std::vector<float>> arrays_;
-    std::map<const XmlElement*, DaeTriples> triples_;       // by source
+    std::map<std::pair<const XmlElement*, std::uint64_t>, DaePoints> points_;   // by source and width
     std::vector<Frame> frames_;                             // the first is the document's own
     std::map<const XmlElement*, std::uint32_t> frame_of_;   // only elements in other frames than the first
 };

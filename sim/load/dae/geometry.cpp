@@ -7,8 +7,10 @@
 #include <fmt/format.h>
 #include <glm/matrix.hpp>
 
+#include "model/base/error.hpp"
 #include "model/scene/view.hpp"
 #include "sim/load/holes.hpp"
+#include "sim/load/textures.hpp"
 
 namespace rayclock {
 namespace {
@@ -24,7 +26,8 @@ glm::dvec3 turned(const glm::dmat4& move, const glm::dvec3& normal) {
 
 }   // namespace
 
-std::vector<DaePart> DaeGeometries::parts(const XmlElement& geometry, const DaePose& pose) {
+std::vector<DaePart> DaeGeometries::parts(const XmlElement& geometry, const DaePose& pose,
+                                          const DaeSets& sets) {
     std::vector<DaePart> made;
     const XmlElement* const mesh = geometry.find("mesh");
     shapeless_ += !mesh;
@@ -33,7 +36,7 @@ std::vector<DaePart> DaeGeometries::parts(const XmlElement& geometry, const DaeP
         const std::string& kind = child.name;
         if (kind == "triangles" || kind == "polylist" || kind == "polygons" || kind == "tristrips" ||
             kind == "trifans")
-            made.push_back({primitive(child, pose), child.attribute("material")});
+            made.push_back(primitive(child, pose, sets));
         lines_ += kind == "lines" || kind == "linestrips";
     }
     return made;
@@ -45,14 +48,15 @@ const DaeGeometries::Inputs& DaeGeometries::vertices(const XmlElement& in) {
     for (const XmlElement& input : in.children) {
         if (input.name != "input") continue;
         const std::string semantic = input.attribute("semantic");
-        if (semantic == "POSITION") found->second.positions = document_.triples(input);
-        if (semantic == "NORMAL") found->second.normals = document_.triples(input);
+        if (semantic == "POSITION") found->second.positions = document_.points(input);
+        if (semantic == "NORMAL") found->second.normals = document_.points(input);
+        if (semantic == "TEXCOORD" && !found->second.per_vertex) found->second.per_vertex = &input;
         colours_ += semantic == "COLOR";
     }
     return found->second;
 }
 
-DaeGeometries::Inputs DaeGeometries::inputs_of(const XmlElement& primitive) {
+DaeGeometries::Inputs DaeGeometries::inputs_of(const XmlElement& primitive, const DaeSets& sets) {
     Inputs made;
     bool has_colours = false;
     for (const XmlElement& input : primitive.children) {
@@ -65,18 +69,60 @@ DaeGeometries::Inputs DaeGeometries::inputs_of(const XmlElement& primitive) {
             const Inputs& of_vertex = vertices(document_.target(input, "source"));
             made.positions = of_vertex.positions;
             made.position_at = offset;
+            made.per_vertex = of_vertex.per_vertex;
             if (of_vertex.normals && !made.normals) made.normals = of_vertex.normals, made.normal_at = offset;
         } else if (semantic == "NORMAL") {
-            made.normals = document_.triples(input);
+            made.normals = document_.points(input);
             made.normal_at = offset;
         }
     }
     colours_ += has_colours;
     if (!made.positions) document_.refuse(primitive, primitive.name + " without positions");
+    if (const auto set = sets.find(primitive.attribute("material")); set != sets.end())
+        choose_coordinates(primitive, set->second, made);
     return made;
 }
 
-glm::dvec3 DaeGeometries::entry(const XmlElement& list, const DaeTriples& source, std::uint64_t index,
+/// The coordinates of <vertices> are the set 0, unless the primitive has one. A set that the primitive lacks
+/// leaves its corners without coordinates.
+void DaeGeometries::choose_coordinates(const XmlElement& primitive, std::optional<std::uint64_t> set,
+                                       Inputs& inputs) {
+    std::map<std::uint64_t, const XmlElement*> sets;
+    for (const XmlElement& input : primitive.children)
+        if (input.name == "input" && input.attribute("semantic") == "TEXCOORD")
+            sets.try_emplace(document_.whole(input, "set", 0), &input);
+    if (inputs.per_vertex) sets.try_emplace(0, inputs.per_vertex);
+    unchosen_ += !set && sets.size() > 1;
+    const auto chosen = set ? sets.find(*set) : sets.begin();
+    if (chosen == sets.end()) return;
+    const XmlElement& input = *chosen->second;
+    inputs.coordinate_at = &input == inputs.per_vertex ? inputs.position_at : document_.offset(input);
+    try {
+        inputs.coordinates = document_.points(input, 2);
+    } catch (const UserError& error) {
+        inputs.fault = error.what();
+    }
+}
+
+/// Returns coordinates of a corner. In the file t increases upwards.
+glm::dvec2 DaeGeometries::on_picture(const XmlElement& list, Inputs& inputs, std::uint64_t index) const {
+    const auto fault = [&](const std::string& sentence) {
+        if (inputs.fault.empty())
+            inputs.fault = fmt::format("{}: line {}: {}", printable(document_.file()), list.line, sentence);
+        return no_coordinates;
+    };
+    if (index >= inputs.coordinates->count)
+        return fault(fmt::format("texture coordinate index {} is out of range: there are {} (0 is the first)",
+                                 index, inputs.coordinates->count));
+    const glm::dvec2 given = inputs.coordinates->on_picture(index);
+    for (const double x : {given.x, given.y})
+        if (!(std::abs(x) <= most_given_coordinate))
+            return fault(fmt::format("texture coordinate {} has the value {}; the most is {}", index, x,
+                                     most_given_coordinate));
+    return {given.x, 1 - given.y};
+}
+
+glm::dvec3 DaeGeometries::entry(const XmlElement& list, const DaePoints& source, std::uint64_t index,
                                 const char* what) const {
     if (index >= source.count)
         document_.refuse(list, fmt::format("{} index {} is out of range: there are {} (0 is the first)", what,
@@ -84,7 +130,7 @@ glm::dvec3 DaeGeometries::entry(const XmlElement& list, const DaeTriples& source
     return source[index];
 }
 
-DaeGeometries::Corners DaeGeometries::corners_of(const XmlElement& list, const Inputs& inputs,
+DaeGeometries::Corners DaeGeometries::corners_of(const XmlElement& list, Inputs& inputs,
                                                  const DaePose& pose) {
     document_.charge(list.text.size());   // a geometry may be cut again for many skins
     std::vector<std::uint64_t> indices;
@@ -104,6 +150,7 @@ DaeGeometries::Corners DaeGeometries::corners_of(const XmlElement& list, const I
         if (vertex < pose.positions.size()) corner.position = pose.positions[vertex];
         if (inputs.normals)
             corner.normal = entry(list, *inputs.normals, indices[i + inputs.normal_at], "normal");
+        if (inputs.coordinates) corner.st = on_picture(list, inputs, indices[i + inputs.coordinate_at]);
         if (vertex < pose.moves.size()) {
             corner.normal = turned(pose.moves[vertex], corner.normal);
             corner.position = glm::dvec3(pose.moves[vertex] * glm::dvec4(corner.position, 1));
@@ -115,8 +162,8 @@ DaeGeometries::Corners DaeGeometries::corners_of(const XmlElement& list, const I
     return corners;
 }
 
-std::size_t DaeGeometries::primitive(const XmlElement& in, const DaePose& pose) {
-    const Inputs inputs = inputs_of(in);
+DaePart DaeGeometries::primitive(const XmlElement& in, const DaePose& pose, const DaeSets& sets) {
+    Inputs inputs = inputs_of(in, sets);
     std::vector<Corners> faces;
     if (in.name == "polylist" && in.all("p").size() > 1)
         document_.refuse(in, fmt::format("a polylist with {} <p>", in.all("p").size()));
@@ -152,7 +199,7 @@ std::size_t DaeGeometries::primitive(const XmlElement& in, const DaePose& pose) 
     }
     PartBuilder builder(faces.size(), inputs.normals.has_value());
     for (const Corners& corners : faces) face(in, builder, corners);
-    return assembly_.add(std::move(builder));
+    return {assembly_.add(std::move(builder)), in.attribute("material"), inputs.fault};
 }
 
 void DaeGeometries::face(const XmlElement& in, PartBuilder& builder, const Corners& corners) {
@@ -189,6 +236,9 @@ void DaeGeometries::say_left_out() const {
     say(shapeless_, "shape", " that is not a mesh, left out");
     say(lines_, "primitive", " of lines left out");
     say(colours_, "primitive", " with vertex colours, which are not drawn");
+    say(unchosen_, "primitive",
+        " with several sets of texture coordinates, of which its material chooses none, drawn with the "
+        "first");
     say(lost_normals_, "corner", " with a normal that is not finite, taken as flat");
 }
 

@@ -7,13 +7,12 @@
 #include <glm/geometric.hpp>
 
 #include "sim/load/surface.hpp"
+#include "sim/load/textures.hpp"
 
 namespace rayclock {
 namespace {
 
-using Params = std::map<std::string, const XmlElement*>;
-
-void take_params(const XmlElement& in, const char* kind, const char* key, Params& out) {
+void take_params(const XmlElement& in, const char* kind, const char* key, DaeParams& out) {
     for (const XmlElement& child : in.children)
         if (child.name == kind && !child.children.empty())
             out.insert_or_assign(child.attribute(key), &child.children.back());
@@ -24,13 +23,13 @@ void take_params(const XmlElement& in, const char* kind, const char* key, Params
 /// Reads the values of a shader, and follows its references to parameters.
 class DaeMaterials::Shader {
 public:
-    Shader(const XmlElement& in, const Params& params, const DaeDocument& document)
+    Shader(const XmlElement& in, const DaeParams& params, const DaeDocument& document)
         : in_(in), params_(params), document_(document) {}
 
     const XmlElement* find(const char* what) const { return in_.find(what); }
-    bool has_texture(const char* what) const {
+    const XmlElement* texture(const char* what) const {
         const XmlElement* const found = in_.find(what);
-        return found && found->find("texture");
+        return found ? found->find("texture") : nullptr;
     }
     std::optional<glm::vec4> colour(const char* what) const {
         const XmlElement* const value = this->value(what, "color");
@@ -62,7 +61,7 @@ private:
     }
 
     const XmlElement& in_;
-    const Params& params_;
+    const DaeParams& params_;
     const DaeDocument& document_;
 };
 
@@ -74,14 +73,15 @@ float DaeMaterials::opacity(const Shader& shader) {
     const float strength = shader.number("transparency").value_or(1.0f);
     const float luminance = glm::dot(glm::vec3(colour), glm::vec3(0.212671f, 0.715160f, 0.072169f));
     // A texture alone has no value that can be drawn here.
-    if (shader.has_texture("transparent") && (mode == "RGB_ZERO" || mode == "A_ZERO")) return 1;
+    if (shader.texture("transparent") && (mode == "RGB_ZERO" || mode == "A_ZERO")) return 1;
     if (mode == "RGB_ZERO") return transparent ? 1 - luminance * strength : strength;
     if (mode == "A_ZERO") return 1 - colour.a * strength;
     if (mode == "RGB_ONE") return luminance * strength;
     return colour.a * strength;
 }
 
-DaeMaterials::DaeMaterials(DaeDocument& document) : document_(document) {
+DaeMaterials::DaeMaterials(DaeDocument& document, const std::filesystem::path& folder)
+    : document_(document), textures_(document, folder) {
     const XmlElement* const tool = document.top().at("asset/contributor/authoring_tool");
     is_inverted_ = tool && tool->text.find("FBX COLLADA exporter") != std::string::npos;
 }
@@ -118,10 +118,27 @@ const DaeMaterials::Effect& DaeMaterials::effect(const XmlElement& in) {
     return made;
 }
 
-Material DaeMaterials::material(const XmlElement& in) {
-    const std::string given = in.attribute("name"), name = given.empty() ? in.attribute("id") : given;
+const XmlElement* DaeMaterials::effect_of(const XmlElement& in) const {
     const XmlElement* const instance = in.find("instance_effect");
-    const XmlElement* const found = instance ? document_.find(instance->attribute("url")) : nullptr;
+    return instance ? document_.find(instance->attribute("url")) : nullptr;
+}
+
+std::optional<std::string> DaeMaterials::coordinates(const XmlElement& in) {
+    const XmlElement* const found = effect_of(in);
+    const XmlElement* const shader = found ? effect(*found).shader : nullptr;
+    const XmlElement* const texture = shader ? shader->at("diffuse/texture") : nullptr;
+    if (!texture || !document_.loading().draws_textures()) return std::nullopt;
+    return texture->attribute("texcoord");
+}
+
+const Material& DaeMaterials::material(const XmlElement& in) {
+    const auto known = made_.find(&in);
+    return known != made_.end() ? known->second : made_.emplace(&in, made(in)).first->second;
+}
+
+Material DaeMaterials::made(const XmlElement& in) {
+    const std::string given = in.attribute("name"), name = given.empty() ? in.attribute("id") : given;
+    const XmlElement *const instance = in.find("instance_effect"), *const found = effect_of(in);
     if (!found || !effect(*found).shader) {
         ++without_effect_;
         return material_of(MtlSurface{.diffuse = glm::vec3(0.8f)}, name);
@@ -138,10 +155,15 @@ Material DaeMaterials::made(const Effect& effect, const std::string& name) {
     const auto is_light = [](const glm::vec4& c) { return c.r > 0 || c.g > 0 || c.b > 0; };
     const glm::vec4 black(0, 0, 0, 1);
     const glm::vec4 emission = shader.colour("emission").value_or(black);
-    // A shader without a diffuse colour scatters no light. The colour of a texture is unknown here.
-    MtlSurface surface{.diffuse = shader.has_texture("diffuse")
-                                      ? glm::vec3(0.8f)
-                                      : glm::vec3(shader.colour("diffuse").value_or(black))};
+    // A shader without a diffuse colour scatters no light.
+    MtlSurface surface{.diffuse = glm::vec3(shader.colour("diffuse").value_or(black))};
+    std::optional<std::uint32_t> texture;
+    if (const XmlElement* const picture = shader.texture("diffuse")) {
+        texture = textures_.texture(*picture, effect.params);
+        const auto average = texture ? std::nullopt : textures_.average(*picture, effect.params);
+        averaged_ += average.has_value();
+        surface.diffuse = texture ? glm::vec3(1) : average.value_or(glm::vec3(0.8f));
+    }
     const bool glows = is_light(emission) && !is_light(glm::vec4(surface.diffuse, 1));
     if (glows) surface.diffuse = glm::vec3(emission);
     if (const auto specular = shader.colour("specular")) {
@@ -151,8 +173,8 @@ Material DaeMaterials::made(const Effect& effect, const std::string& name) {
     surface.shine = shader.number("shininess").value_or(surface.shine);
     surface.index = shader.number("index_of_refraction").value_or(surface.index);
     if (shader.find("transparent") || shader.find("transparency")) surface.opacity = seen_opacity(shader);
-    for (const char* what : {"emission", "diffuse", "specular", "reflective", "transparent"})
-        if (shader.has_texture(what)) {
+    for (const char* what : {"emission", "specular", "reflective", "transparent"})
+        if (shader.texture(what)) {
             ++textured_;
             break;
         }
@@ -161,6 +183,7 @@ Material DaeMaterials::made(const Effect& effect, const std::string& name) {
                    is_light(shader.colour("reflective").value_or(black));
     odd_ += is_out_of_range(surface);
     Material out = material_of(surface, name);
+    out.texture = texture;
     if (glows) {   // emits its own light and reflects none
         out.ambient += out.diffuse;
         out.diffuse = 0;
@@ -169,14 +192,16 @@ Material DaeMaterials::made(const Effect& effect, const std::string& name) {
 }
 
 void DaeMaterials::say_left_out() const {
-    const auto say = [&](std::uint64_t count, const char* what, const char* sentence) {
+    const auto say = [&](std::uint64_t count, const char* what, const std::string& sentence) {
         if (count > 0) document_.loading().note(document_.file(), counted(count, what) + sentence);
     };
     say(odd_, "material", " with values out of range, taken as the nearest within");
-    say(textured_, "material", " with textures, which are not drawn");
+    say(averaged_, "material", std::string(" ") + averaged_texture);
+    say(textured_, "material", " with other textures, which are not drawn");
     say(emitting_, "material", " with emission and a diffuse colour, drawn without the emission");
     say(reflecting_, "material", " with a reflective colour, which is not drawn");
     say(zero_, "material", " with a transparency of 0 and no word on what it means, drawn opaque");
+    textures_.say_left_out();
     say(without_effect_, "material", " without an effect of the common profile, drawn grey");
 }
 

@@ -1,10 +1,11 @@
-// DAE (COLLADA 1.4 and 1.5). Reads the tree of nodes, meshes, the file's pose of skins and morphs, normals
-// and colours of materials. Turns the up axis to y. Leaves out textures, cameras, lights and animations, with
-// a note.
+// DAE (COLLADA 1.4 and 1.5). Reads the tree of nodes, meshes, the file's pose of skins and morphs, normals,
+// colours of materials and their pictures. Turns the up axis to y. Leaves out cameras, lights and animations,
+// with a note.
 #include <deque>
 
 #include <fmt/format.h>
 
+#include "model/base/error.hpp"
 #include "sim/files/text.hpp"
 #include "sim/load/dae/controller.hpp"
 #include "sim/load/dae/geometry.hpp"
@@ -17,15 +18,20 @@ namespace {
 
 constexpr int most_deep = 500;   // visit() is recursive
 
-using Bindings = std::map<std::string, std::string>;   ///< a mesh's name of a material -> its id
+/// The material of a symbol, and the set of each name by which its pictures refer to coordinates.
+struct Binding {
+    std::string material;
+    std::map<std::string, std::uint64_t> sets;
+};
+using Bindings = std::map<std::string, Binding>;   ///< by symbol, a mesh's name of a material
 
 class DaeReader {
 public:
-    DaeReader(const XmlElement& top, const std::string& file, Loading& loading)
+    DaeReader(const XmlElement& top, const std::filesystem::path& path, Loading& loading)
         : top_(top),
-          document_(top, file, loading),
-          assembly_(file, loading),
-          materials_(document_),
+          document_(top, path.string(), loading),
+          assembly_(path.string(), loading),
+          materials_(document_, path.parent_path()),
           controllers_(document_, places_),
           geometries_(document_, assembly_) {}
 
@@ -45,7 +51,9 @@ public:
         assembly_.make_alike();
         for (const Copy& copy : copies_) place(copy);
         say_left_out();
-        return assembly_.take();
+        Scene made = assembly_.take();
+        made.textures = materials_.textures();
+        return made;
     }
 
 private:
@@ -87,18 +95,48 @@ private:
 
     Bindings bindings(const XmlElement& instance) {
         Bindings all;
+        std::size_t inputs = 0;
         if (const XmlElement* const bound = instance.at("bind_material/technique_common"))
-            for (const XmlElement* m : bound->all("instance_material"))
-                all.try_emplace(m->attribute("symbol"), m->attribute("target"));
-        document_.charge(all.size() * sizeof(XmlElement));
+            for (const XmlElement* m : bound->all("instance_material")) {
+                const auto [made, is_new] = all.try_emplace(m->attribute("symbol"));
+                if (!is_new) continue;
+                made->second.material = m->attribute("target");
+                for (const XmlElement* input : m->all("bind_vertex_input"))
+                    if (input->attribute("input_semantic") == "TEXCOORD")
+                        made->second.sets.try_emplace(input->attribute("semantic"),
+                                                      document_.whole(*input, "input_set", 0));
+                inputs += made->second.sets.size();
+            }
+        document_.charge((all.size() + inputs) * sizeof(XmlElement));
         return all;
     }
 
-    /// Builds the parts of a copy. All copies of a geometry share them; each skin and morph has its own.
+    /// Returns the material of a symbol, or null if it is not in the file.
+    const XmlElement* material(const Bindings& bindings, const std::string& symbol) const {
+        const auto bound = bindings.find(symbol);
+        return bound == bindings.end() ? nullptr : document_.find(bound->second.material);
+    }
+
+    /// Returns the sets of coordinates for the pictures of a copy's materials.
+    DaeSets sets(const Bindings& bindings) {
+        DaeSets all;
+        for (const auto& [symbol, binding] : bindings) {
+            const XmlElement* const found = material(bindings, symbol);
+            const auto name = found ? materials_.coordinates(*found) : std::nullopt;
+            if (!name) continue;
+            const auto set = binding.sets.find(*name);
+            all.emplace(symbol, set == binding.sets.end() ? std::nullopt : std::optional(set->second));
+        }
+        return all;
+    }
+
+    /// Builds the parts of a copy. All copies of a geometry with the same sets of coordinates share them;
+    /// each skin and morph has its own.
     void build(Copy& copy) {
+        DaeSets sets = this->sets(copy.bindings);
         if (!copy.controlled) {
-            const auto [found, is_new] = parts_.try_emplace(copy.geometry);
-            if (is_new) found->second = geometries_.parts(*copy.geometry, {});
+            const auto [found, is_new] = parts_.try_emplace({copy.geometry, std::move(sets)});
+            if (is_new) found->second = geometries_.parts(*copy.geometry, {}, found->first.second);
             copy.parts = &found->second;
             return;
         }
@@ -108,17 +146,18 @@ private:
             ++morphs_;
         else
             ++skins_, copy.place = glm::dmat4(1);   // the joints place it instead of its node
-        posed_.push_back(geometries_.parts(*pose.geometry, pose));
+        posed_.push_back(geometries_.parts(*pose.geometry, pose, sets));
         copy.parts = &posed_.back();
     }
 
     void place(const Copy& copy) {
         if (!copy.parts) return;
+        document_.charge(copy.parts->size() * sizeof(DaePart));   // parts may be empty, and copies many
         for (const DaePart& part : *copy.parts) {
-            const auto bound = copy.bindings.find(part.symbol);
-            const XmlElement* const found =
-                bound == copy.bindings.end() ? nullptr : document_.find(bound->second);
+            const XmlElement* const found = material(copy.bindings, part.symbol);
             lost_materials_ += !found && !part.symbol.empty();
+            if (!part.fault.empty() && found && materials_.material(*found).texture)
+                throw UserError(part.fault);
             const auto [number, ignored] = numbers_.try_emplace(found, numbers_.size());
             assembly_.place(part.number, copy.place, number->second, [&] {
                 return found ? materials_.material(*found) : Material{.name = "default"};
@@ -153,9 +192,9 @@ private:
     DaeControllers::Places places_;
     DaeControllers controllers_;
     DaeGeometries geometries_;
-    std::map<const XmlElement*, std::vector<DaePart>> parts_;   // by geometry
-    std::deque<std::vector<DaePart>> posed_;                    // one per copy with a controller
-    std::map<const XmlElement*, std::uint64_t> numbers_;        // by material
+    std::map<std::pair<const XmlElement*, DaeSets>, std::vector<DaePart>> parts_;   // by geometry and sets
+    std::deque<std::vector<DaePart>> posed_;               // one per copy with a controller
+    std::map<const XmlElement*, std::uint64_t> numbers_;   // by material
     std::vector<Copy> copies_;
     std::uint64_t skins_ = 0, morphs_ = 0, empty_controllers_ = 0, lost_materials_ = 0, left_out_ = 0;
 };
@@ -166,7 +205,7 @@ Scene read_dae(const std::filesystem::path& path, std::string bytes, Loading& lo
     const SourcePosition at{path.string()};
     const XmlElement document = parse_xml(at.file, without_mark(bytes), loading);
     if (document.name != "COLLADA") at.refuse("this is not COLLADA: its element is " + shown(document.name));
-    return DaeReader(document, at.file, loading).read();
+    return DaeReader(document, path, loading).read();
 }
 
 }   // namespace rayclock

@@ -42,23 +42,6 @@ std::string decode_base64(std::string_view text, const JsonValue& at) {
     return bytes;
 }
 
-/// Decodes percent escapes such as %20.
-std::string decode_percent(std::string_view uri) {
-    std::string name;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        const auto digit = [&](std::size_t at) {
-            return std::string_view("0123456789abcdef").find(lower(uri.substr(at, 1)));
-        };
-        if (uri[i] == '%' && i + 2 < uri.size() && digit(i + 1) < 16 && digit(i + 2) < 16) {
-            name += static_cast<char>(digit(i + 1) * 16 + digit(i + 2));
-            i += 2;
-        } else {
-            name += uri[i];
-        }
-    }
-    return name;
-}
-
 using Component = GltfComponent;
 
 template <class T> double get_as(const char* raw) {

@@ -13,8 +13,6 @@
 
 namespace rayclock {
 
-constexpr const char* averaged_texture = "with a texture of its colour, drawn in the mean of the texture";
-
 /// The coordinates of a texture: the set TEXCOORD_n, and KHR_texture_transform.
 struct GltfMapping {
     std::uint64_t set = 0;

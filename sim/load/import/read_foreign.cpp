@@ -7,6 +7,7 @@
 #include "sim/load/import/assimp.hpp"
 #include "sim/load/gltf/buffers.hpp"
 #include "sim/load/mesh/mesh_file.hpp"
+#include "sim/load/textures.hpp"
 
 namespace rayclock {
 namespace {
@@ -18,10 +19,8 @@ using Json = nlohmann::json;
 void mend_image(Json& image) {
     const auto uri = image.find("uri");
     if (uri == image.end() || !uri->is_string()) return;
-    std::string name = uri->get<std::string>();
-    std::replace(name.begin(), name.end(), '\\', '/');
-    const bool has_drive = name.size() > 1 && name[1] == ':';
-    if (has_drive || leaves_folder(name)) name = std::filesystem::path(name).filename().string();
+    std::string name = portable_name(uri->get<std::string>());
+    if (leaves_folder(name)) name = std::filesystem::path(name).filename().string();
     *uri = name;
 }
 

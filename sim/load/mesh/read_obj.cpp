@@ -100,7 +100,11 @@ std::optional<glm::vec3> triple(std::string_view& rest) {
 class ObjReader {
 public:
     ObjReader(const std::filesystem::path& path, Loading& loading)
-        : path_(path), at_{path.string()}, loading_(loading), warnings_(at_.file) {}
+        : path_(path),
+          at_{path.string()},
+          loading_(loading),
+          warnings_(at_.file),
+          pictures_(at_.file, "material file", loading) {}
 
     void statement(std::string_view line, std::uint64_t number) {
         at_.line = number;
@@ -369,38 +373,18 @@ private:
     /// unchanged.
     glm::vec3 unknown_colour() const { return glm::vec3(colours_.empty() ? 0.8f : 1.0f); }
 
-    /// Returns the texture of a material. Meshes are often distributed without their pictures, so an
-    /// unreadable picture only causes a note.
+    /// Returns the texture of a material, or nothing if its picture cannot be read.
     std::optional<std::uint32_t> texture_of(const MtlBlock& block) {
         if (!block.picture) return std::nullopt;
         const MtlPicture& map = *block.picture;
-        const std::filesystem::path path = (block.folder / map.file).lexically_normal();
-        const auto [found, is_new] = pictures_.try_emplace(path.string());
-        if (is_new) found->second = read_picture(path, map);
-        if (!found->second) return std::nullopt;
+        const auto pyramid = pictures_.pyramid(block.folder, map.file);
+        if (!pyramid) return std::nullopt;
         for (const std::string& option : map.ignored)
             warnings_.count("option", "of map_Kd ignored", 0, option);
         const Wrap wrap = map.clamps ? Wrap::clamp : Wrap::repeat;
-        textures_.push_back({printable(map.file, 80), found->second, wrap, wrap});
+        textures_.push_back({printable(map.file, 80), pyramid, wrap, wrap});
         mappings_.push_back({map.scale, map.offset});
         return static_cast<std::uint32_t>(textures_.size() - 1);
-    }
-
-    std::shared_ptr<const Pyramid> read_picture(const std::filesystem::path& path, const MtlPicture& map) {
-        const std::string name = "the picture " + printable(path.string());
-        std::string bytes;
-        try {
-            bytes = loading_.read(path);
-        } catch (const UserError& error) {
-            loading_.note(at_.file, std::string("a picture is not drawn: ") + error.what());
-            return nullptr;
-        }
-        if (leaves_folder(map.file))
-            loading_.note(at_.file, name + " lies outside the folder of the material file");
-        std::string why;
-        auto pyramid = read_pyramid(bytes, at_.file, name, loading_, why);
-        if (!pyramid) loading_.note(at_.file, name + " is not drawn: " + printable(why, 300));
-        return pyramid;
     }
 
     /// Returns all materials in use. The first definition of a name counts. An undefined material is plain
@@ -532,8 +516,8 @@ private:
     std::vector<glm::vec2> coordinates_;   ///< as in the file
     std::vector<TextureFault> texture_faults_;
     std::vector<Texture> textures_;
-    std::vector<Mapping> mappings_;                                    ///< of the textures
-    std::map<std::string, std::shared_ptr<const Pyramid>> pictures_;   ///< by path; null: not drawn
+    std::vector<Mapping> mappings_;   ///< of the textures
+    PictureFiles pictures_;
     std::vector<Index> corners_;
     std::vector<std::size_t> ends_;   ///< end of each face in `corners_`
     std::vector<Run> runs_;
