@@ -46,7 +46,7 @@ const std::vector<Group>& groups() {
         {"Check", {verify_command, stress_command, bench_command, doctor_command}},
         {"Pages",
          {area_command, counts_command, figures_command, gigahertz_command, sampling_command, scale_command,
-          streams_command, structures_command, tradeoff_command, yardstick_command},
+          streams_command, structures_command, textures_command, tradeoff_command, yardstick_command},
          true}};
     return all;
 }

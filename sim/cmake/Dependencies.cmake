@@ -11,6 +11,7 @@ find_package(nlohmann_json 3.10 REQUIRED)
 find_package(verilator 5.006 REQUIRED)
 # Use pkg-config for OpenImageIO: the CMake target of Debian names an include folder that does not exist.
 pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET OpenImageIO)
+pkg_check_modules(STB REQUIRED IMPORTED_TARGET stb)
 if(BUILD_TESTING)
   # Debian 12 has Catch2 2.13 and Embree 3.13, Debian 13 has 3.7 and 4.3. Tests support both.
   find_package(Catch2 REQUIRED)

@@ -214,3 +214,77 @@ TEST_CASE("the page of scale has every frame with its cost, and its exponents ar
                   {"shading=1"});
     check_refused(run_program({"study", "scale", "-o", folder.name("."), "--sizes", "0x5"}), {"0 x 5"});
 }
+
+TEST_CASE("the page of textures has every filter and format, and its cycles are those of simulate") {
+    const Folder folder;
+    const Outcome outcome =
+        run_program({"study", "textures", "-o", folder.name("page"), "--size", "48x36", "--scenes",
+                     "room,scenes/street.json", "--json", folder.name("t.json")});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const json scenes = json::parse(bytes_of(folder.name("t.json")))["scenes"];
+    REQUIRE(scenes.size() == 2);
+    for (const json& scene : scenes) {
+        INFO(scene["scene"]);
+        REQUIRE(scene["rows"].size() == 9);
+        const auto row = [&](const std::string& texels, const std::string& filter) -> json {
+            for (const json& each : scene["rows"])
+                if (each["texels"] == texels && each["filter"] == filter) return each;
+            return {};
+        };
+        const std::string levels = "bilinear, mip levels", level_0 = "bilinear, level 0";
+        for (const char* filter : {"nearest texel, level 0", "bilinear, level 0", "bilinear, mip levels"}) {
+            INFO(filter);
+            const json wide = row("rgb888", filter), narrow = row("rgb565", filter),
+                       blocks = row("BC1", filter);
+            CHECK(wide["texel_bytes"].get<double>() / narrow["texel_bytes"].get<double>() ==
+                  Approx(2).epsilon(0.01));
+            CHECK(narrow["texel_bytes"].get<double>() / blocks["texel_bytes"].get<double>() ==
+                  Approx(4).epsilon(0.15));
+            CHECK(wide["image_bytes"].get<int>() - narrow["image_bytes"].get<int>() ==
+                  wide["texel_bytes"].get<int>() - narrow["texel_bytes"].get<int>());
+            // Only the lines of texels differ.
+            CHECK(wide["costs"][0]["tex_cache_look_ups"].get<double>() ==
+                  Approx(narrow["costs"][0]["tex_cache_look_ups"].get<double>()).epsilon(0.05));
+            CHECK(narrow["costs"][0]["tex_cache_look_ups"] == blocks["costs"][0]["tex_cache_look_ups"]);
+            CHECK(blocks["costs"][0]["bytes_read"] < narrow["costs"][0]["bytes_read"]);
+            CHECK(narrow["costs"][0]["bytes_read"] < wide["costs"][0]["bytes_read"]);
+            CHECK(wide["psnr_exact_8_bit_alpha_db"] == wide["psnr_exact_db"]);
+            CHECK(wide["psnr_exact_db"] > blocks["psnr_exact_db"]);
+        }
+        CHECK(row("rgb888", levels)["psnr_64_samples_db"] > row("rgb888", level_0)["psnr_64_samples_db"]);
+        CHECK(scene["one_line_of_texels"]["costs"][0]["bytes_read"] <
+              row("BC1", levels)["costs"][0]["bytes_read"]);
+        // The scenes have mip levels everywhere, so simulate draws the same frames.
+        for (const std::string texels : {"rgb888", "rgb565"})
+            for (const std::size_t machine : {0, 3}) {
+                std::vector<std::string> arguments{
+                    "simulate", scene["scene"],     "--size",     "48x36",  "--depth", "2",
+                    "--set",    "texels=" + texels, "--no-judge", "--json", "-"};
+                const json cost = row(texels, levels)["costs"][machine];
+                if (machine == 3) {
+                    CHECK(cost["machine"] == "default, dram=sdr, pipelines=8");
+                    arguments.insert(arguments.end(), {"--set", "dram=sdr", "--set", "pipelines=8"});
+                }
+                const Outcome run = run_program(arguments);
+                INFO(run.err);
+                REQUIRE(run.code == 0);
+                const json report = json::parse(run.out);
+                CHECK(report["clocks"][0]["cycles"] == cost["cycles"]);
+                CHECK(report["clocks"][0]["dram_bytes"] == cost["bytes_read"]);
+            }
+    }
+    const std::string page = bytes_of(folder.name("page/textures.md"));
+    for (const auto& entry : std::filesystem::directory_iterator(folder.name("page/figures"))) {
+        INFO(entry.path());
+        CHECK(page.find("(figures/" + entry.path().filename().string() + ")") != std::string::npos);
+    }
+    for (const char* bad : {"nan", "inf ", "{}", "/tmp"}) CHECK(page.find(bad) == std::string::npos);
+    check_refused(run_program({"study", "textures"}), {"--output"});
+    check_refused(run_program({"study", "textures", "-o", folder.name("page"), "--scenes", "gears:1"}),
+                  {"gears:1", "no picture"});
+    check_refused(run_program({"study", "textures", "-o", folder.name("page"), "--set", "texels=rgb565"}),
+                  {"texels"});
+    check_refused(run_program({"study", "textures", "-o", folder.name("page"), "--scenes", "room,room"}),
+                  {"room", "same names"});
+}

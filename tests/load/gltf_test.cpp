@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/scenes/scene_files.hpp"
@@ -121,6 +122,31 @@ TEST_CASE("gltf: base colour, metal, glass") {
     CHECK(material(2).transmit == 0.75);
     CHECK(material(3).transmit == 1);
     CHECK(material(3).index == 1.25);
+}
+
+TEST_CASE("gltf: a camera without roll has the vertical as its up direction, another its own axis") {
+    const auto camera_with = [](const Json& rotation) {
+        Json json = document();
+        json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}}}}};
+        json["nodes"] = {{{"mesh", 0}}, {{"camera", 0}, {"rotation", rotation}, {"scale", {2, 2, 2}}}};
+        json["scenes"][0]["nodes"] = {0, 1};
+        return load(json).camera.value();
+    };
+    // A quarter turn about the vertical, then 30 degrees down: q = y(90) x(-30).
+    const double h = std::sqrt(0.5), c = std::cos(glm::radians(15.0)), s = std::sin(glm::radians(15.0));
+    const Camera down = camera_with({-h * s, h * c, h * s, h * c});
+    CHECK(down.up == glm::dvec3(0, 1, 0));
+    const glm::dvec3 sight = glm::normalize(down.at - down.eye);
+    CHECK(sight.x == Approx(-std::cos(glm::radians(30.0))));
+    CHECK(sight.y == Approx(-0.5));
+    CHECK(sight.z == Approx(0).margin(1e-6));
+    // Rolled by 30 degrees about the direction of sight.
+    const glm::dvec3 rolled = glm::normalize(camera_with({0, 0, s, c}).up);
+    CHECK(rolled.x == Approx(-0.5));
+    CHECK(rolled.y == Approx(std::cos(glm::radians(30.0))));
+    // Straight down, and on its head.
+    CHECK(glm::normalize(camera_with({-h, 0, 0, h}).up).z == Approx(-1));
+    CHECK(glm::normalize(camera_with({0, 0, 1, 0}).up).y == Approx(-1));
 }
 
 TEST_CASE("gltf: cameras and lights are placed by their nodes") {

@@ -28,6 +28,17 @@ mutant(stress_finds_few_rays_wrong FILE sim/explore/stress/tests.cpp TEST system
   OLD [[found.is_exact() && !found.leaks_where_it_must() && found.leaky.rays < enough_rays]]
   NEW [[false]])
 
+# ---- The study of textures: blocks, and the lines of larger tiles.
+mutant(study_blocks_have_halves FILE sim/study/textures/block.cpp TEST sweep "a block has four colours*"
+  OLD [[(a[k] + 2 * b[k] + 1) / 3]]
+  NEW [[(a[k] + b[k] + 1) / 2]])
+mutant(study_levels_share_lines FILE sim/study/textures/block.cpp TEST sweep "the texels of four lines*"
+  OLD [[        first += 1u << level_lines_log(record, level, block_tile_log);]]
+  NEW [[]])
+mutant(study_moves_the_record FILE sim/study/textures/block.cpp TEST cli "the page of textures*"
+  OLD [[const_cast<std::uint32_t&>(at[1]);]]
+  NEW [[const_cast<std::uint32_t&>(at[0]);]])
+
 # ---- Sweeps and their parts.
 mutant(sweep_believes_a_broken_entry FILE sim/files/cache/results.cpp TEST sweep "an entry*"
   OLD [[entry["check"] != hash_text(entry["value"].dump())]]

@@ -26,6 +26,7 @@ Command yardstick_command();
 Command figures_command();
 Command counts_command();
 Command structures_command();
+Command textures_command();
 Command sampling_command();
 Command scale_command();
 Command streams_command();

@@ -7,12 +7,24 @@
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace rayclock {
 namespace {
 
 float single(double x) { return static_cast<float>(x); }
+
+/// Returns the up direction of a camera with these axes to the right, up and back. A camera without roll,
+/// whose axis to the right is level in single precision, gets the vertical: the view is the same, and --eye,
+/// --at and --orbit, which keep this direction, do not tilt the horizon. A camera that looks straight up or
+/// down, or stands on its head, keeps its own axis.
+glm::dvec3 up_of(const glm::dvec3& right, const glm::dvec3& up) {
+    constexpr double level = 0x1p-20, least_height = 0x1p-10;
+    const bool is_level = std::abs(right.y) <= level * glm::length(right),
+               is_upright = up.y >= least_height * glm::length(up);
+    return is_level && is_upright ? glm::dvec3(0, 1, 0) : up;
+}
 
 /// Returns true if the object names a texture other than that of the base colour.
 bool names_texture(const JsonValue& in) {
@@ -152,7 +164,7 @@ std::optional<Camera> gltf_camera(const JsonValue& in, const glm::dmat4& place) 
     Camera out;
     out.eye = glm::dvec3(place[3]);
     out.at = out.eye - glm::dvec3(place[2]);
-    out.up = glm::dvec3(place[1]);
+    out.up = up_of(glm::dvec3(place[0]), glm::dvec3(place[1]));
     out.fov_degrees = glm::degrees(static_cast<double>(single(lens->at("yfov").number())));
     return out;
 }
