@@ -33,7 +33,7 @@ struct Material {
     /// show it; a loader gives them a material with the picture's average colour.
     std::optional<std::uint32_t> texture{};
     /// A triangle has a hole where its texture's alpha is below this. 0: no holes. Only finished pictures
-    /// show holes, and whole triangles cast shadows.
+    /// show holes, and light passes through them.
     double cutoff = 0;
 };
 

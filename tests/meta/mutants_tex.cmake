@@ -137,6 +137,31 @@ mutant(tex_model_pixel_keeps_the_hit_behind_a_hole FILE model/unit/shade/pass.cp
   OLD [[s.sample == 0 && s.holes == 0) {]]
   NEW [[s.sample == 0) {]])
 
+# ---- Light through holes in the model.
+set(light_cases [hole]~[foliage]~[rtl])
+mutant(tex_model_light_holes_without_end FILE model/unit/shade/pass.cpp TEST unit ${light_cases}
+  OLD [[in.hole && in.state.light_holes < most_holes;]]
+  NEW [[in.hole;]])
+mutant(tex_model_light_holes_kept FILE model/unit/shade/pass.cpp TEST unit ${light_cases}
+  OLD [[passes_hole(in) ? s.light_holes + 1 : 0;]]
+  NEW [[s.light_holes + passes_hole(in);]])
+mutant(tex_model_light_after_the_next FILE model/unit/shade/pass.cpp TEST unit ${light_cases}
+  OLD [[s.light -= passes_hole(in);]]
+  NEW [[;]])
+mutant(tex_model_ray_through_a_hole_ignores_none FILE model/unit/shade/pass.cpp TEST unit ${light_cases}
+  OLD [[out.spawn.holes = s.light_holes;]]
+  NEW [[;]])
+mutant(tex_model_cutout_at_the_level_of_the_path FILE model/unit/shade/pass.cpp TEST unit ${light_cases}
+  OLD [[out.tex = {in.ray, record, 0, full_weight,]]
+  NEW [[out.tex = {in.ray, record, in.state.path, full_weight,]])
+mutant(tex_model_path_of_0_has_a_level FILE ${tex_model} TEST unit [tex][level]
+  OLD [[if (hit.path == 0) return 0;]]
+  NEW [[;]])
+mutant(tex_model_cutouts_do_not_stop FILE model/unit/list/ray_tests.hpp WITH tests/unit/list_test.cpp
+  TEST unit "a ray to a light passes as many cut-outs as have holes, and the next one ends it - ListModel"
+  OLD [[return any_ && best_.found; }]]
+  NEW [[return any_ && best_.found && !found_.cutout; }]])
+
 # ---- The model of shade.
 mutant(tex_model_path_adds_t_twice FILE model/unit/shade/surf.cpp TEST unit ${path_cases}
   OLD [[(length * in.hit.t >> length_bits)]]
@@ -209,6 +234,16 @@ mutant(simulate_tex_hole_from_the_old_origin FILE model/unit/shade/pass.cpp TEST
 mutant(simulate_tex_hole_has_ambient_light FILE model/unit/shade/pass.cpp TEST simulate "room --depth 1"
   OLD [[++s.holes;]]
   NEW [[add(s.colour, ambient), ++s.holes;]])
+mutant(simulate_tex_cutouts_hide_the_light FILE model/unit/shade/pass.cpp TEST simulate "room --depth 1"
+  OLD [[in.hole && in.state.light_holes < most_holes;]]
+  NEW [[in.hole && in.state.light_holes > most_holes;]])
+mutant(simulate_tex_light_ignores_an_opaque_cutout FILE model/unit/list/ray_tests.hpp
+  WITH model/trace/record.cpp TEST simulate "room --depth 1"
+  OLD [[            --holes_;]]
+  NEW [[            ;]])
+mutant(simulate_tex_cutouts_not_marked FILE model/compile/surfaces.cpp TEST simulate "room --depth 1"
+  OLD [[prim.kind = std::uint32_t(PrimKind::cutout);]]
+  NEW [[prim.kind = std::uint32_t(PrimKind::triangle);]])
 mutant(simulate_tex_log_at_the_start_of_its_part FILE ${tex_model} TEST simulate "room --depth 1"
   OLD [=[log_table()[step * i + step / 2]]=]
   NEW [=[log_table()[step * i]]=])
@@ -362,6 +397,54 @@ mutant(tex_ambient_before_texture FILE rtl/unit/shade/rc_ambient.sv TEST unit ${
 mutant(tex_texture_not_multiplied FILE rtl/unit/shade/rc_ambient.sv TEST unit ${shade_rtl_case}
   OLD [[s0_colour  = s0_texture_i ? tinted : plain;]]
   NEW [[s0_colour  = s0_texture_i && 1'b0 ? tinted : plain;]])
+
+# ---- Light through holes in the RTL.
+set(light_list "a ray to a light passes as many cut-outs as have holes, and the next one ends it - ListRtl")
+set(light_pass "the rtl's pass is the model's with textures")
+mutant(tex_list_passes_not_counted QUICK FILE rtl/unit/list/rc_list.sv TEST unit ${light_list}
+  OLD [[.write_data_i(passed + HoleBits'(1)),]]
+  NEW [[.write_data_i(passed),]])
+mutant(tex_list_count_goes_on_in_the_next_ray FILE rtl/unit/list/rc_list.sv TEST unit ${light_list}
+  OLD [[u_has_passed (
+      .clk_i, .rst_ni, .clear_i(start_fires_i),]]
+  NEW [[u_has_passed (
+      .clk_i, .rst_ni, .clear_i(1'b0),]])
+mutant(tex_list_passes_any_primitive FILE rtl/unit/list/rc_list.sv TEST unit ${light_list}
+  OLD [[s1_hits && s1_cut.cutout && passed != s1_holes;]]
+  NEW [[s1_hits && passed != s1_holes;]])
+mutant(tex_list_loses_the_kind_of_a_hit FILE rtl/unit/list/rc_list.sv TEST unit ${light_list}
+  OLD [[assign closest_o.cutout = closest_hit.cutout;]]
+  NEW [[assign closest_o.cutout = 1'b0;]])
+mutant(tex_tri_cutout_has_no_weights FILE rtl/unit/isect/rc_tri.sv TEST unit
+  "tri of a chip that shades decides exactly and measures within its bound - Rtl<TriUnit>"
+  OLD [[(!pre_any || pre_cutout);]]
+  NEW [[!pre_any;]])
+mutant(tex_tri_cutout_for_every_ray FILE rtl/unit/isect/rc_tri.sv TEST unit
+  "tri of a chip that shades decides exactly and measures within its bound - Rtl<TriUnit>"
+  OLD [[rc_pkg::HasTextures == 1 && in_any && in.prim_kind]]
+  NEW [[rc_pkg::HasTextures == 1 && in.prim_kind]])
+mutant(tex_pass_light_after_the_next FILE rtl/unit/shade/rc_pass.sv TEST unit ${light_pass}
+  OLD [[= given.light - 7'd1;]]
+  NEW [[= given.light;]])
+mutant(tex_pass_light_holes_without_end FILE rtl/unit/shade/rc_pass.sv TEST unit ${light_pass}
+  OLD [[texel[3*ColourBits]
+                     && given.light_holes != '1;]]
+  NEW [[texel[3*ColourBits];]])
+mutant(tex_pass_light_holes_kept FILE rtl/unit/shade/rc_pass.sv TEST unit ${light_pass}
+  OLD [[end else if (!met_cutout) begin]]
+  NEW [[end else if (1'b0) begin]])
+mutant(tex_pass_cutout_at_the_level_of_the_path FILE rtl/unit/shade/rc_pass_end.sv TEST unit ${light_pass}
+  OLD [[request.path   = cutout_i ? '0 : surf_i]]
+  NEW [[request.path   = surf_i]])
+mutant(tex_pass_cutout_handles_its_event FILE rtl/unit/shade/rc_pass_end.sv TEST unit ${light_pass}
+  OLD [[.data_i(cutout_i ? '0 : events),]]
+  NEW [[.data_i(events),]])
+mutant(tex_pass_ray_through_a_hole_ignores_none FILE rtl/unit/shade/rc_pass_end.sv TEST unit ${light_pass}
+  OLD [[is_light ? begin_state_i.light_holes : '0;]]
+  NEW [['0;]])
+mutant(tex_address_path_of_0_has_a_level FILE ${tex_address} TEST unit ${tex_rtl_case}
+  OLD [[s0_path == '0 ? '0 : s0.last_level;]]
+  NEW [[s0.last_level;]])
 
 # ---- Holes in the RTL of shade.
 set(pass_end rtl/unit/shade/rc_pass_end.sv)

@@ -42,11 +42,13 @@ template <class Dut> void against_oracle(const Config& config, unsigned seed, co
 }
 
 const char* const names[] = {"default", "small", "narrow", "wide", "fine"};
-const std::pair<const char*, const char*> parts[] = {
-    {"default", ""}, {"small", "plane"}, {"narrow", "sphere"}, {"wide", "plane"}, {"fine", "sphere"}};
+const std::pair<const char*, const char*> parts[] = {{"default", ""},      {"small", "plane"},
+                                                     {"narrow", "sphere"}, {"wide", "plane"},
+                                                     {"fine", "sphere"},   {"default", "sphere plane cutout"},
+                                                     {"wide", "cutout"}};
 
-/// Tests of the model use all ten. Slow tests of the RTL do too; quick ones build four.
-const std::vector<int> all_parts{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, quick_parts{0, 2, 7, 8};
+/// Tests of the model use all twelve. Slow tests of the RTL do too; quick ones build four.
+const std::vector<int> all_parts{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}, quick_parts{2, 7, 8, 10};
 template <class Dut> const std::vector<int>& parts_of() {
     return std::is_same_v<Dut, Rtl<TriUnit>> ? quick_parts : all_parts;
 }

@@ -8,8 +8,8 @@ using namespace rayclock::test;
 
 namespace {
 
-/// Returns the number of rays stopped by a blocked light.
-template <class Dut> int serve_rays(const Config& config, unsigned seed, const Flow& flow, int rays) {
+/// Returns the world after all rays.
+template <class Dut> ListWorld serve_rays(const Config& config, unsigned seed, const Flow& flow, int rays) {
     INFO(config.name << ", " << flow.name << ", seed " << seed);
     Dut dut{config, int(seed)};
     ListWorld world{config, seed, flow, rays};
@@ -26,7 +26,7 @@ template <class Dut> int serve_rays(const Config& config, unsigned seed, const F
         dut.commit();
     }
     REQUIRE(world.triangles() >= rays);
-    return world.stopped();
+    return world;
 }
 
 void lockstep(const Config& config, unsigned seed, const Flow& flow, int cycles) {
@@ -103,7 +103,18 @@ TEMPLATE_TEST_CASE("list tests nothing more for a light that is blocked, and not
     for (const auto* name : {"shading:default", "samples:default"})
         for (const Flow& flow : flows)
             for (unsigned seed = 1; seed <= 2; ++seed)
-                REQUIRE(serve_rays<TestType>(format(name), seed, flow, 300) > 50);
+                REQUIRE(serve_rays<TestType>(format(name), seed, flow, 300).stopped() > 50);
+}
+
+TEMPLATE_TEST_CASE("a ray to a light passes as many cut-outs as have holes, and the next one ends it",
+                   "[list][shading][hole]", ListModel, ListRtl) {
+    Config config = format("shading:default");
+    config.textures = 1, config.name = "textures";
+    for (const Flow& flow : flows) {
+        const ListWorld world = serve_rays<TestType>(config, 1, flow, 400);
+        CAPTURE(world.passed(), world.cutouts());
+        REQUIRE((world.passed() > 30 && world.cutouts() > 30));
+    }
 }
 
 TEMPLATE_TEST_CASE("list requests each leaf's triangles in nodes of four", "[list][slow]", ListModel,

@@ -169,7 +169,8 @@ void run(const Config& c, unsigned seed, int count, bool idle, std::map<int, int
         if (due) {
             judge(rtl, *due, frame, c);
             const PassOut out = pass(*due, frame, c);
-            ++seen_leaves[8 * int(due->state.next_event) + int(out.leave)];
+            const int event = meets_cutout(*due) ? 8 : passes_hole(*due) ? 9 : int(due->state.next_event);
+            ++seen_leaves[8 * event + int(out.leave)];
             pushes += out.push;
         }
         rtl.clock();
@@ -199,6 +200,9 @@ void check(const char* name, unsigned first_seed, int frames, int count) {
         REQUIRE(times(c.has_homes() ? ShadeEvent::transform : ShadeEvent::arrive, texture) > 30);
         REQUIRE(times(ShadeEvent::texture, again) > 50);
         REQUIRE(times(ShadeEvent::texture, spawn) > 20);
+        REQUIRE(times(ShadeEvent(8), texture) > 20);   // a cut-out asks for its texture
+        REQUIRE(times(ShadeEvent(8), again) > 10);     // or has none
+        REQUIRE(times(ShadeEvent(9), spawn) > 10);     // its light is asked again
     }
 }
 
@@ -263,7 +267,7 @@ TEST_CASE("a path is as long as its rays together, rounded down and saturated", 
     int saturated = 0, longer = 0;
     for (int i = 0; i < 50000; ++i) {
         const Frame frame = i % 1000 == 0 ? random_shade_frame(draw, c) : Frame{};
-        PassIn in = random_pass(draw, frame, c);
+        PassIn in = without_cutout(random_pass(draw, frame, c));
         in.state.next_event = std::uint32_t(ShadeEvent::arrive), in.hit.found = 1;
         if (draw.percent(10)) in.d[std::size_t(draw.below(3))] = -(1 << (c.dir_bits - 1));
         if (draw.percent(20)) in.d = random_corner_direction(draw, c);
@@ -321,7 +325,7 @@ TEST_CASE("a path begins at the camera ray, and a refracted ray continues its ow
     int samples = 0, waited = 0, pushed = 0;
     for (int i = 0; i < 20000; ++i) {
         const Frame frame = random_shade_frame(draw, c);
-        const PassIn in = random_pass(draw, frame, c);
+        const PassIn in = without_cutout(random_pass(draw, frame, c));
         const PassOut out = pass(in, frame, c);
         const bool pops = in.state.next_event == std::uint32_t(ShadeEvent::pop);
         if (out.leave == PassOut::Leave::spawn && pops && in.state.waiting > 0) {
@@ -381,7 +385,7 @@ TEST_CASE("a ray continues through a hole with the same direction and weight", "
     int first = 0, later = 0;
     for (int i = 0; i < 20000; ++i) {
         const Frame frame = random_shade_frame(draw, c);
-        PassIn in = random_pass(draw, frame, c);
+        PassIn in = without_cutout(random_pass(draw, frame, c));
         in.state.next_event = std::uint32_t(ShadeEvent::texture);
         in.state.far = in.state.lost = 0;
         for (std::size_t k = 0; const std::int32_t x : draw_place(draw, c)) in.state.o[k++] = x;
@@ -416,13 +420,74 @@ TEST_CASE("a ray continues through a hole with the same direction and weight", "
     CHECK((first > 3000 && later > 3000));
 }
 
+TEST_CASE("a shadow ray that meets a cut-out asks for its texture and nothing else", "[pass][hole]") {
+    const Config c = shaded_format(GENERATE("textured:plain", "textured:all", "textured:levels:all"));
+    Draw draw{41};
+    int asked = 0, plain = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Frame frame = random_shade_frame(draw, c);
+        const PassIn in = random_pass(draw, frame, c);
+        const bool has_met =
+            in.state.pending == std::uint32_t(Pending::answer) && in.hit.found && in.hit.cutout;
+        if (!has_met) continue;
+        const PassOut out = pass(in, frame, c);
+        ShadeState same = in.state;
+        same.pending = std::uint32_t(in.surface.record != 0 ? Pending::texture : Pending::none);
+        REQUIRE(out.state == same);
+        REQUIRE_FALSE(out.push);
+        (in.surface.record != 0 ? asked : plain)++;
+        REQUIRE((out.leave == PassOut::Leave::texture) == (in.surface.record != 0));
+        if (in.surface.record == 0) continue;
+        REQUIRE((out.tex.ray == in.ray && out.tex.record == in.surface.record && out.tex.u == in.hit.u &&
+                 out.tex.v == in.hit.v && out.tex.cosine == 65536 && out.tex.path == 0 &&
+                 out.tex.scale == 0));
+    }
+    CHECK((asked > 300 && plain > 300));
+}
+
+TEST_CASE("where a cut-out has a hole its light is asked again, and else the light is hidden",
+          "[pass][hole]") {
+    const Config c = shaded_format(GENERATE("textured:plain", "textured:all", "textured:levels:all"));
+    Draw draw{43};
+    int again = 0, hidden = 0, last = 0;
+    for (int i = 0; i < 40000; ++i) {
+        const Frame frame = random_shade_frame(draw, c);
+        PassIn in = random_pass(draw, frame, c);
+        if (in.state.pending != std::uint32_t(Pending::texture)) continue;
+        const PassOut out = pass(in, frame, c);
+        if (in.hole && in.state.light_holes < 63) {
+            // As the pass of that light, but for the count.
+            PassIn first = in;
+            first.state.pending = 0, first.state.light_holes = 0, first.state.light -= 1;
+            first.state.next_event = std::uint32_t(ShadeEvent::light);
+            PassOut wanted = pass(first, frame, c);
+            wanted.state.light_holes = in.state.light_holes + 1;
+            REQUIRE(out.state == wanted.state);
+            REQUIRE(out.leave == wanted.leave);
+            if (out.leave != PassOut::Leave::spawn) continue;
+            ++again;
+            REQUIRE(wanted.spawn.holes == 0);
+            wanted.spawn.holes = in.state.light_holes + 1;
+            REQUIRE(pack(out.spawn, c) == pack(wanted.spawn, c));
+        } else {
+            ++hidden, last += in.hole;
+            PassIn next = in;   // as after a light that was blocked
+            next.state.pending = 0, next.state.light_holes = 0;
+            const PassOut wanted = pass(next, frame, c);
+            REQUIRE(out.state == wanted.state);
+            REQUIRE(out.leave == wanted.leave);
+        }
+    }
+    CHECK((again > 300 && hidden > 1000 && last > 100));
+}
+
 TEST_CASE("a bounce, a waiting ray and a sample each restart the count of holes", "[pass][hole]") {
     const Config c = shaded_format(GENERATE("textured:all", "textured:levels:all"));
     Draw draw{47};
     int reflected = 0, popped = 0, samples = 0, kept = 0;
     for (int i = 0; i < 30000; ++i) {
         const Frame frame = random_shade_frame(draw, c);
-        const PassIn in = random_pass(draw, frame, c);
+        const PassIn in = without_cutout(random_pass(draw, frame, c));
         if (in.state.next_event == std::uint32_t(ShadeEvent::texture)) continue;
         const PassOut out = pass(in, frame, c);
         const bool is_light = in.state.next_event == std::uint32_t(ShadeEvent::light);
@@ -447,7 +512,7 @@ TEST_CASE("a pixel keeps the hit of its first camera ray, not one behind a hole"
     int first = 0, behind = 0;
     for (int i = 0; i < 30000; ++i) {
         const Frame frame = random_shade_frame(draw, c);
-        PassIn in = random_pass(draw, frame, c);
+        PassIn in = without_cutout(random_pass(draw, frame, c));
         in.state.next_event = std::uint32_t(ShadeEvent::arrive);
         if (draw.coin()) in.state.depth = in.state.sample = 0;
         const ShadeState& was = in.state;

@@ -271,6 +271,14 @@ void finish(const PassIn& in, const Frame& frame, const Config& c, PassOut& out)
 
 }   // namespace
 
+bool passes_hole(const PassIn& in) {
+    return Pending(in.state.pending) == Pending::texture && in.hole && in.state.light_holes < most_holes;
+}
+
+ShadeEvent event_of(const PassIn& in) {
+    return passes_hole(in) ? ShadeEvent::light : ShadeEvent(in.state.next_event);
+}
+
 ShadeState fresh_state(std::uint32_t x, std::uint32_t y) {
     ShadeState s;
     s.x = x, s.y = y;

@@ -4,6 +4,12 @@
 
 namespace rayclock {
 
+/// True if the cut-out that a shadow ray has met has a hole there. The pass sends the ray again, and that ray
+/// ignores one cut-out more. So the pass repeats the event light.
+bool passes_hole(const PassIn& in);
+/// Returns the event that a pass handles, unless meets_cutout().
+ShadeEvent event_of(const PassIn& in);
+
 /// Performs one pass of a context through the unit shade, as a pure function. It adds the contribution of the
 /// last ray or surface to the sample's colour, computes the next ray or light, and decides the context's next
 /// step.

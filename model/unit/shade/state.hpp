@@ -1,7 +1,6 @@
 #pragma once
 // The state that the unit shade keeps of a context between two passes, and the inputs and outputs of a pass.
 #include "model/core/payloads.hpp"
-#include "model/scene/whitted.hpp"
 
 namespace rayclock {
 
@@ -165,15 +164,6 @@ struct PassIn {
 /// True if a shadow ray has met a cut-out. The pass requests its texture and handles no event.
 inline bool meets_cutout(const PassIn& in) {
     return Pending(in.state.pending) == Pending::answer && in.hit.found && in.hit.cutout;
-}
-/// True if the cut-out that a shadow ray has met has a hole there. The pass sends the ray again, and the next
-/// ray ignores one cut-out more. So the pass repeats the event light.
-inline bool passes_hole(const PassIn& in) {
-    return Pending(in.state.pending) == Pending::texture && in.hole && in.state.light_holes < most_holes;
-}
-/// Returns the event that a pass handles, unless meets_cutout().
-inline ShadeEvent event_of(const PassIn& in) {
-    return passes_hole(in) ? ShadeEvent::light : ShadeEvent(in.state.next_event);
 }
 /// Intermediate values of a light's pass, for judges.
 struct LightParts {

@@ -15,6 +15,7 @@ inline Config any_format(const std::string& name, const std::string& kinds = "sp
     c.shading = 1;
     c.spheres = kinds.find("sphere") != std::string::npos;
     c.planes = kinds.find("plane") != std::string::npos;
+    c.textures = kinds.find("cutout") != std::string::npos;
     if (name == "narrow") c.dir_bits = 15, c.origin_bits = 2, c.bary_bits = 5, c.t_frac_bits = 0;
     if (name == "wide") c.origin_bits = 10;
     if (name == "fine") c.origin_bits = 10, c.t_frac_bits = 6, c.bary_bits = 19;
@@ -54,6 +55,7 @@ inline bool is_opaque(const TriReq& sphere) { return sphere.triangle.b[2] == 0; 
 inline bool is_plane(const TriReq& r, const Config& c) {
     return c.planes && PrimKind(r.triangle.kind) == PrimKind::plane;
 }
+inline bool is_cutout(const TriReq& r) { return PrimKind(r.triangle.kind) == PrimKind::cutout; }
 inline oracle::Place3 place(const Vec3i& p) {
     return {oracle::Rational(p[0]), oracle::Rational(p[1]), oracle::Rational(p[2])};
 }
@@ -141,7 +143,7 @@ inline bool blocked_truth(const TriReq& r, const Config& c) {
 
 inline void judge_zeros(const TriRsp& rsp) {
     REQUIRE((rsp.num == 0 && rsp.det == 0 && rsp.prim == 0 && rsp.t == 0 && rsp.u == 0 && rsp.v == 0 &&
-             rsp.back == 0));
+             rsp.back == 0 && rsp.cutout == 0));
 }
 /// `alone` is the answer to the same request without a hit to beat.
 inline void judge_sphere(const TriReq& r, const TriRsp& alone, const Config& c) {
@@ -165,7 +167,8 @@ inline void judge_flat(const TriReq& r, const TriRsp& alone, const Config& c) {
     if (!at) return judge_zeros(alone);
     REQUIRE(alone.prim == r.triangle.prim);
     REQUIRE(oracle::Rational(big(alone.num), big(alone.det)) == at->t);
-    const int fraction = RayKind(r.kind) != RayKind::bounce ? 0 : c.origin_bits - (is_far(r) ? far_drop : 0);
+    const int fraction = !leaves(r) ? 0 : c.origin_bits - (is_far(r) ? far_drop : 0);
+    REQUIRE((alone.cutout != 0) == ends_at_any(r.kind));
     REQUIRE(big(alone.det) == at->volume * oracle::power_of_two(fraction));
     REQUIRE(alone.t == std::min(oracle::ceil(at->t * unit_of(c)), most_t(c)));
     REQUIRE(alone.back == (side_of_ray(r) > 0));
@@ -184,7 +187,8 @@ inline void judge_any(const TriReq& r, const TriRsp& rsp, const Config& c) {
     REQUIRE(rsp.ray == r.ray);
     if (ends_at_any(r.kind)) {
         REQUIRE((rsp.closer != 0) == blocked_truth(r, c));
-        return judge_zeros(rsp);
+        if (!rsp.closer || !is_cutout(r)) return judge_zeros(rsp);
+        return judge_flat(r, rsp, c);
     }
     TriReq unbeaten = r;
     unbeaten.best = {};
@@ -247,6 +251,7 @@ inline PrimData random_prim(Draw& draw, const Config& c, const Vec3i& near) {
     p.prim = std::uint32_t(draw.natural(c.prim_bits));
     const int kinds = 1 + c.planes + c.spheres, kind = draw.below(kinds);
     p.kind = kind == 0 ? 0 : kind == 1 && c.planes ? 1 : 2;
+    if (c.textures && kind == 0 && draw.coin()) p.kind = std::uint32_t(PrimKind::cutout);
     p.a = draw.coin() ? draw.vector(n) : draw.near(near, reach, n);
     p.b = draw.coin() ? draw.vector(n) : draw.near(p.a, reach, n);
     p.c = draw.coin() ? draw.vector(n) : draw.near(p.b, reach, n);

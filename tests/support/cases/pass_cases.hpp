@@ -165,6 +165,28 @@ inline void aim_far(Draw& draw, const Frame& frame, const Config& c, ShadeState&
     }
 }
 
+/// True for the events that may follow a light.
+inline bool follows_light(ShadeEvent event) {
+    return event != ShadeEvent::arrive && event != ShadeEvent::transform && event != ShadeEvent::texture;
+}
+
+/// Draws a state after a light, often one whose shadow ray has met a cut-out.
+inline void draw_light_of_holes(Draw& draw, const Frame& frame, ShadeState& s) {
+    const int lights = int(frame.shade.lights);
+    if (lights == 0 || !follows_light(ShadeEvent(s.next_event)) || draw.percent(40)) return;
+    if (s.next_event == std::uint32_t(ShadeEvent::light)) {
+        if (lights == 1) return;
+        s.light = std::uint32_t(draw.between(1, lights - 1));
+    } else {
+        s.light = std::uint32_t(lights);
+    }
+    s.pending = std::uint32_t(draw.coin() ? Pending::texture : Pending::answer);
+    s.light_holes = std::uint32_t(draw.percent(40)   ? 0
+                                  : draw.percent(30) ? most_holes
+                                  : draw.percent(30) ? most_holes - 1
+                                                     : int(draw.natural(hole_bits)));
+}
+
 inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) {
     ShadeState s;
     s.next_event = std::uint32_t(draw.below(c.has_homes() ? 6 : 5));
@@ -221,6 +243,7 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
     const bool has_light = frame.shade.lights > 0 && !is_textured;   // before its lights, the number is 0
     s.light = has_light ? std::uint32_t(draw.below(int(frame.shade.lights))) : 0;
     s.total = c.refraction && draw.coin();
+    if (c.has_textures()) draw_light_of_holes(draw, frame, s);
     if (s.far && draw.percent(70)) aim_far(draw, frame, c, s);
     if (c.has_homes()) {
         const Vec3i within = draw_place(draw, c);
@@ -245,6 +268,8 @@ inline PassIn random_pass(Draw& draw, const Frame& frame, const Config& c) {
     in.surface = random_surface(draw, c);
     in.hit = random_closest(draw, c, in.surface);
     in.hit.ray = in.ray;
+    if (c.has_textures() && follows_light(ShadeEvent(in.state.next_event)) && draw.coin())
+        in.hit.cutout = in.hit.found;
     in.o = draw_place(draw, c);
     in.d = draw.vector(c.dir_bits);
     // With two levels raygen adds one to a component of -2^(M-1) (docs/machine/motion.md).
@@ -265,6 +290,13 @@ inline PassIn random_pass(Draw& draw, const Frame& frame, const Config& c) {
             in.top.home = {std::uint32_t(draw.natural(c.addr_bits)), draw_place(draw, c),
                            draw.vector(c.dir_bits)};
     }
+    return in;
+}
+
+/// Returns the pass without a cut-out in the way to the last light.
+inline PassIn without_cutout(PassIn in) {
+    if (in.state.pending == std::uint32_t(Pending::texture)) in.state.pending = std::uint32_t(Pending::none);
+    in.hit.cutout = 0;
     return in;
 }
 

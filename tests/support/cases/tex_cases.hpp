@@ -60,7 +60,9 @@ inline int slant_in_64ths(std::uint32_t cosine) {
 inline int level_in_64ths(const TexReq& hit, const TexRecord& record, int spread) {
     return record.density + hit.scale + spread + log_in_64ths(hit.path) + slant_in_64ths(hit.cosine);
 }
+/// A path of 0 asks for level 0.
 inline int wanted_level(const TexReq& hit, const TexRecord& record, int spread) {
+    if (hit.path == 0) return 0;
     const auto nearest = int(floor_by(level_in_64ths(hit, record, spread) + 32, 64));
     return nearest < 0 ? 0 : nearest > int(record.last_level) ? int(record.last_level) : nearest;
 }
@@ -246,6 +248,7 @@ inline TexRecord random_record(Draw& draw, const Config& c) {
 inline TexReq random_hit(Draw& draw, const Config& c) {
     TexReq hit;
     hit.path = std::uint32_t(draw.natural(draw.coin() ? c.t_bits() : draw.between(1, c.t_bits())));
+    if (draw.percent(5)) hit.path = 0;
     const std::uint32_t one = 1u << unit_bits;
     hit.cosine = draw.percent(20) ? one : std::min(std::uint32_t(draw.natural(unit_bits)), one);
     const std::uint32_t side = 1u << c.bary_bits;

@@ -7,7 +7,7 @@
 namespace rayclock::test {
 
 /// A plain model of one ray at list: leaves from near to far, each triangle of a leaf in turn, and no leaf
-/// that begins beyond the best hit. A shadow ray stops after its first hit.
+/// that begins beyond the best hit. A shadow ray stops after its first hit, but passes its first cut-outs.
 struct LeafWalk {
     Ray ray;
     TriRsp found;   ///< best hit so far; closer is 0 without one
@@ -15,6 +15,7 @@ struct LeafWalk {
     std::size_t leaf = 0;   ///< index in the node's leaves
     std::uint32_t triangle = 0;
     std::uint32_t beyond = 0;
+    std::uint32_t holes = 0;   ///< cut-outs that it will still pass
 
     bool is_shadow_ray() const { return ray.kind == 2 || ray.kind == 3; }
     bool blocked() const { return is_shadow_ray() && found.closer; }
@@ -38,6 +39,8 @@ public:
     bool finished() const { return left_ == 0 && running_ == 0; }
     int triangles() const { return triangles_; }
     int stopped() const { return stopped_; }
+    int passed() const { return passed_; }
+    int cutouts() const { return cutouts_; }
 
     void drive(ListLinks& dut) {
         dut.start.reset();
@@ -85,7 +88,10 @@ public:
         if (dut.tri_rsp.fires()) {
             contexts_[tri_->ray].out = false;
             LeafWalk& walk = contexts_[tri_->ray].walk;
-            if (tri_->closer) walk.found = *tri_;
+            if (tri_->closer && tri_->cutout && walk.holes > 0)
+                --walk.holes, ++passed_;
+            else if (tri_->closer)
+                walk.found = *tri_, cutouts_ += tri_->cutout;
             walk.next();
             tri_.reset();
         }
@@ -123,7 +129,9 @@ private:
             // To the surface: t = 2^-B, in units of 2^-F of a direction of N + B bits.
             c.walk.beyond = c.walk.ray.kind == 2 ? 1u << (config_.coord_bits + config_.t_frac_bits)
                                                  : (1u << config_.t_bits()) - 1;
-            dut.start = Start{c.walk.ray.ray, c.walk.ray.kind};
+            c.walk.ray.holes = draw_.coin() ? 0 : std::uint32_t(draw_.below(4));
+            c.walk.holes = c.walk.ray.holes;
+            dut.start = Start{c.walk.ray.ray, c.walk.ray.kind, c.walk.ray.holes};
             dut.ray = c.walk.ray;
             waiting_for_leaves_.push_back(std::uint32_t(number));
             --left_;
@@ -139,6 +147,7 @@ private:
         ray = random_payload<Ray>(draw_, config_);
         ray.ray = old.ray;
         ray.kind = old.kind;
+        ray.holes = old.holes;
         dut.ray = ray;
     }
 
@@ -171,11 +180,14 @@ private:
         TriRsp rsp;
         if (draw_.below(3) == 0) {
             const std::uint32_t best = std::min(contexts_[ray].walk.t_best(), 150u);
-            if (!contexts_[ray].walk.is_shadow_ray()) {
+            const bool is_shadow = contexts_[ray].walk.is_shadow_ray(),
+                       is_cutout = config_.has_textures() && is_shadow && draw_.coin();
+            if (!is_shadow || is_cutout) {
                 rsp = random_payload<TriRsp>(draw_, config_);
                 rsp.t = std::uint32_t(draw_.below(int(best) + 1));
             }
             rsp.closer = 1;
+            rsp.cutout = is_cutout;
         }
         rsp.ray = ray;
         tri_ = rsp;
@@ -220,14 +232,14 @@ private:
     void check_closest(const Closest& closest) const {
         const TriRsp& f = contexts_[done_->ray].walk.found;
         Closest expected{done_->ray, 0, 0, 0, 0, 0};
-        if (f.closer) expected = {done_->ray, 1, f.prim, f.t, f.u, f.v, f.back};
+        if (f.closer) expected = {done_->ray, 1, f.prim, f.t, f.u, f.v, f.back, 0, f.cutout};
         REQUIRE(same(closest, expected, config_));
     }
 
     Config config_;
     Flow flow_;
     Draw draw_;
-    int left_, running_ = 0, triangles_ = 0, stopped_ = 0;
+    int left_, running_ = 0, triangles_ = 0, stopped_ = 0, passed_ = 0, cutouts_ = 0;
     std::vector<Context> contexts_;
     std::vector<std::uint32_t> waiting_for_leaves_, requested_, fetched_, tested_, ending_;
     std::optional<PrimRsp> prim_;
