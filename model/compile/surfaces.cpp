@@ -251,7 +251,7 @@ void check_units(const Scene& scene, const Config& config, const std::string& na
     if (!scene.planes.empty() && !config.planes) refuse("planes", "planes");
     if (!config.has_shade()) return;
     if (!scene.normals.empty() && !config.smooth) refuse("corner normals", "smooth");
-    if (!scene.coordinates.empty() && !config.textures) refuse("textures", "textures");
+    if (shows_textures(scene) && !config.textures) refuse("textures", "textures");
     for (const Material& m : scene.materials)
         if (m.transmit > 0 && !config.refraction) refuse("a material that transmits", "refraction");
 }
@@ -276,7 +276,7 @@ Config fitted_config(const Scene& scene, const Whitted& settings, Config config)
     config.spheres = !scene.spheres.empty();
     config.planes = !scene.planes.empty();
     config.smooth = !scene.normals.empty();
-    config.textures = !scene.coordinates.empty();
+    config.textures = shows_textures(scene);
     config.refraction = std::any_of(scene.materials.begin(), scene.materials.end(),
                                     [](const Material& m) { return m.transmit > 0; });
     config.supersampling = settings.aa > 1 || settings.jitter;

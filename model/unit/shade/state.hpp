@@ -12,7 +12,7 @@ enum class ShadeEvent : std::uint32_t {
     reflect,
     pop,         ///< the next waiting ray, or the sample's end
     transform,   ///< with two levels, after arrive: maps the surface from the mesh's space to the scene's
-    texture,     ///< after these, on a textured triangle: its colour has arrived
+    texture,     ///< after these, on a textured surface: its colour has arrived
 };
 
 /// When the next pass adds the contribution of a light at its beginning.
@@ -49,6 +49,7 @@ struct ShadeState {
     std::uint32_t diffuse = 0, highlight = 0, mirror = 0, transmit = 0, shine = 0, ratio = 0, schlick = 0,
                   r0 = 0;
     std::uint32_t ambient = 0, record = 0;   ///< with textures
+    std::uint32_t round = 0;                 ///< with textures and spheres: the surface is a sphere
     // The light.
     std::uint32_t light = 0;
     std::array<std::uint32_t, 3> share{};   ///< its contribution if it is not blocked
@@ -103,6 +104,7 @@ struct ShadeState {
         if (c.has_textures()) {
             v_("ambient", ambient, share_bits + 1);
             v_("record", record, c.addr_bits);
+            if (c.spheres) v_("is_round", round, 1);
         }
         v_("transmit", transmit, unit_bits + 1);
         v_("ratio", ratio, ratio_bits);

@@ -136,6 +136,7 @@ std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& c, ShadeState&
 
     if (c.has_textures()) {
         state.ambient = s.ambient, state.record = s.record;
+        state.round = c.spheres && PrimKind(s.kind) == PrimKind::sphere;
         state.path = path_to(in, c);
         if (s.record != 0) return {};   // the texture event adds it
     }
@@ -148,6 +149,22 @@ std::array<std::uint32_t, 3> ambient_light(const ShadeState& state, std::uint32_
         ambient[k] =
             std::uint32_t(rounded(std::uint64_t(state.weight) * share * state.albedo[k], 2 * share_bits));
     return ambient;
+}
+
+std::array<std::uint32_t, 2> octahedral(const ShadeState& state, const Config& c) {
+    std::array<std::int64_t, 3> n{};
+    std::int64_t sum = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+        n[k] = state.inside ? -state.normal[k] : state.normal[k];
+        sum += std::abs(n[k]);
+    }
+    const std::int64_t half = std::int64_t(1) << (c.bary_bits - 1);
+    std::int64_t p = half * std::abs(n[0]) / sum, q = half * std::abs(n[2]) / sum;
+    if (n[1] < 0) {
+        p = half - p, q = half - q;
+        std::swap(p, q);
+    }
+    return {std::uint32_t(n[0] < 0 ? half - p : half + p), std::uint32_t(n[2] < 0 ? half - q : half + q)};
 }
 
 std::array<std::uint32_t, 3> apply_texture(const std::array<std::uint32_t, 3>& texel, ShadeState& state) {

@@ -21,6 +21,13 @@ std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& config, ShadeS
 /// rtl/unit/shade/rc_path_length.sv.
 std::uint32_t path_to(const PassIn& in, const Config& config);
 
+/// Returns the place (u, v) of a sphere's hit in its octahedral picture, bary_bits fraction bits. n is the unit
+/// normal that points outwards. With h = 2^(bary_bits - 1) and L = |n_x| + |n_y| + |n_z| + 1,
+///     p = floor(h |n_x| / L), q = floor(h |n_z| / L); if n_y < 0, (p, q) = (h - q, h - p)
+/// u is h + p, or h - p if n_x < 0; v is h + q, or h - q if n_z < 0. L is larger by 1 than the sum, so both
+/// quotients are below h. Mirror of rtl/unit/shade/rc_octahedral.sv.
+std::array<std::uint32_t, 2> octahedral(const ShadeState& state, const Config& config);
+
 /// Multiplies the albedo by a texture's colour, and returns the ambient contribution.
 std::array<std::uint32_t, 3> apply_texture(const std::array<std::uint32_t, 3>& texel, ShadeState& state);
 

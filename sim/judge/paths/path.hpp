@@ -86,7 +86,7 @@ private:
         glm::dvec3 normal{0}, view{0};   ///< unit vectors
         bool is_far = false, is_lost = false;
         std::uint32_t pane = 0;   ///< the surface's bit in a cell
-        std::optional<TexturedTriangle> texture;
+        std::optional<TexturedSurface> texture;
         double ratio = 1;                     ///< refractive index on the ray's side over that on the other
         double normal_error = vector_error;   ///< error bound of the chip's unit normal
         /// Returns the error bound of the normal's product with another unit vector.

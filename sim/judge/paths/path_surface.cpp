@@ -45,7 +45,7 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
     if (answer_.found && config_.has_textures())
         place_.texture =
             rules_.placed ? rules_.placed->textured(answer_.prim)
-                          : textured_triangle(rules_.inputs.scene, rules_.inputs.lattice.pitch, answer_.prim);
+                          : textured_surface(rules_.inputs.scene, rules_.inputs.lattice, answer_.prim);
     demand(out.leave == (place_.texture && !rules_.placed ? PassOut::Leave::texture : PassOut::Leave::again),
            "a surface sends a ray, or does not request its texture");
     if (branch_.depth == 0 && sample_ == 0 && holes_ == 0)
@@ -86,7 +86,8 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
     judge_place(in, s);
     if (config_.has_textures()) {
         path_ = path_length(path_, in.d, answer_.t, config_);
-        demand(s.record == place_.surface.record && s.ambient == place_.surface.ambient,
+        demand(s.record == place_.surface.record && s.ambient == place_.surface.ambient &&
+                   (s.round != 0) == (PrimKind(place_.surface.kind) == PrimKind::sphere),
                "the material that was hit is not kept");
     }
     if (place_.texture && !rules_.placed) return demand_texture(s, out);
@@ -107,8 +108,11 @@ void PathJudge::demand_texture(const ShadeState& s, const PassOut& out) {
     demand(visit_.place == oracle::PlacedRay::nowhere ||
                is_scale(hit.scale, rules_.placed->solids().places()[visit_.place].a, config_),
            "the request to tex has another scale than the instance's");
-    demand(hit.record == s.record && hit.u == answer_.u && hit.v == answer_.v && hit.path == path_ &&
-               hit.cosine == s.cosine,
+    bool is_there = hit.u == answer_.u && hit.v == answer_.v;
+    if (place_.texture && place_.texture->kind == PrimKind::sphere)
+        is_there = is_octahedral(
+            hit, by_axis([&](std::size_t k) { return answer_.back ? -s.normal[k] : s.normal[k]; }), config_);
+    demand(hit.record == s.record && is_there && hit.path == path_ && hit.cosine == s.cosine,
            "the request to tex has another hit than the ray's");
     texel_.reset();
 }

@@ -258,11 +258,13 @@ void parts(Package& p, const Config& config) {
     p.part<ShadeState>("shade_share", {"share"});
     p.part<ShadeState>("shade_samples", {"sample", "sum", "least", "most"});
     p.part<ShadeState>("shade_waits", {"waiting", "total"});
-    p.part<ShadeState>("shade_look", {"diffuse", "highlight", "mirror", "shine", "ambient", "record"});
+    p.part<ShadeState>("shade_look",
+                       {"diffuse", "highlight", "mirror", "shine", "ambient", "record", "is_round"});
     p.part<ShadeState>("shade_bend", {"transmit", "ratio", "schlick", "r0"});
     p.part<ShadeState>("shade_self", {"self", "is_inside"});
-    p.part<ShadeState>("material", {"diffuse", "highlight", "mirror", "shine", "ambient", "record",
-                                    "transmit", "ratio", "schlick", "r0", "self", "is_inside"});
+    p.part<ShadeState>("material",
+                       {"diffuse", "highlight", "mirror", "shine", "ambient", "record", "is_round",
+                        "transmit", "ratio", "schlick", "r0", "self", "is_inside"});
 }
 
 /// Adds widths and latencies that follow from the parameters.
