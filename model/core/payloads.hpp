@@ -306,7 +306,7 @@ struct TexReq {
         v_("ray", ray, c.ray_bits());
         v_("record", record, c.addr_bits);
         if (c.has_homes()) v_("scale", scale, level_bits);
-        v_("path", path, c.t_bits());
+        v_("path", path, c.path_bits());
         v_("cosine", cosine, unit_bits + 1);
         v_("u", u, c.uv_bits());
         v_("v", v, c.uv_bits());

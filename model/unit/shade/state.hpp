@@ -78,7 +78,7 @@ struct ShadeState {
             v_("across", across, c.panes);
         }
         if (c.has_textures()) {
-            v_("path", path, c.t_bits());
+            v_("path", path, c.path_bits());
             v_("holes", holes, hole_bits);
         }
         v_("o", o, c.point_width(), 3);
@@ -131,7 +131,7 @@ struct Waiting {
         v("is_inside", inside, 1);
         if (c.panes > 0) v("in_cell", cell, c.panes);
         if (c.horizon) v("is_partial", partial, 1);
-        if (c.has_textures()) v("path", path, c.t_bits());
+        if (c.has_textures()) v("path", path, c.path_bits());
         if (!c.has_homes()) return;
         v("home", home.line, c.addr_bits);
         v("home_o", home.o, c.origin_width(), 3);

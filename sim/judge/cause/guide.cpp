@@ -515,6 +515,15 @@ void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& ow
     const TexturePlace place = kind == PrimKind::sphere  ? place_on_sphere(*at, hit)
                                : kind == PrimKind::plane ? place_on_plane(*at, hit)
                                                          : place_on_triangle(*at, hit, own);
+    // A bounce from beyond the lattice stores its origin with fewer bits. Where t is saturated, the machine
+    // measures the way from there as if it had them.
+    const Config& config = rules_.inputs.config;
+    if (kind == PrimKind::plane && at->ray.partial != 0 && at->hit.t == (1u << config.t_bits()) - 1) {
+        const double scale = rules_.reference.geometry().space().scale;
+        const Vec3i& o = at->ray.o;
+        const glm::dvec3 from = point({o[0], o[1], o[2]}, config.origin_frac());
+        own.distance += (chord(point(at->state.o, config.origin_frac()), from) - hit.depth) / scale;
+    }
     if (place.is_wrong)
         fail("a texture is drawn with other coordinates than those of the point that was hit");
 

@@ -85,7 +85,10 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
            "the other side of a plane is told from this one wrongly");
     judge_place(in, s);
     if (config_.has_textures()) {
-        path_ = path_length(path_, in.d, answer_.t, config_);
+        std::optional<Vec3l> far_way;
+        if (PrimKind(place_.surface.kind) == PrimKind::plane && answer_.t == (1u << config_.t_bits()) - 1)
+            far_way = by_axis([&](std::size_t k) { return s.o[k] - in.o[k]; });
+        path_ = path_length(path_, in.d, answer_.t, far_way, config_);
         demand(s.record == place_.surface.record && s.ambient == place_.surface.ambient &&
                    (s.round != 0) == (PrimKind(place_.surface.kind) == PrimKind::sphere),
                "the material that was hit is not kept");

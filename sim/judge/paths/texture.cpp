@@ -197,15 +197,22 @@ bool is_scale(std::int32_t scale, const std::array<std::int64_t, 9>& a, const Co
     return is_nearest(scale, 64 * (std::log2(volume) / 3 - config.map_frac()));
 }
 
-std::uint32_t path_length(std::uint32_t before, const Vec3i& d, std::uint32_t t, const Config& config) {
-    std::array<Int128, 3> size{};
-    for (std::size_t k = 0; k < 3; ++k) size[k] = d[k] < 0 ? -Int128(d[k]) : Int128(d[k]);
-    std::sort(size.begin(), size.end());
-    const Int128 length = floor_of(
-        size[2] + floor_of(size[1], 4) + floor_of(size[1], 8) + floor_of(size[0], 4) + floor_of(size[0], 16),
-        Int128(1) << (config.dir_bits - 8));
-    const Int128 path = before + floor_of(length * t, 128), most = (Int128(1) << config.t_bits()) - 1;
-    return std::uint32_t(path < most ? path : most);
+std::uint32_t path_length(std::uint32_t before, const Vec3i& d, std::uint32_t t,
+                          const std::optional<Vec3l>& far_way, const Config& config) {
+    const auto length_of = [](const auto& v) {
+        std::array<Int128, 3> size{};
+        for (std::size_t k = 0; k < 3; ++k) size[k] = v[k] < 0 ? -Int128(v[k]) : Int128(v[k]);
+        std::sort(size.begin(), size.end());
+        return size[2] + floor_of(size[1], 4) + floor_of(size[1], 8) + floor_of(size[0], 4) +
+               floor_of(size[0], 16);
+    };
+    const Int128 added =
+        far_way ? floor_of(length_of(*far_way) * (Int128(1) << config.t_frac_bits), Int128(1) << config.origin_bits)
+                : floor_of(floor_of(length_of(d), Int128(1) << (config.dir_bits - 8)) * t, 128);
+    const Int128 path = before + added,
+                 most = (Int128(1) << (config.t_bits() + (config.planes ? 6 : 0))) - 1,
+                 widest = (Int128(1) << 32) - 1;
+    return std::uint32_t(std::min({path, most, widest}));
 }
 
 bool is_spread(const FrameInputs& inputs, int samples_per_side) {

@@ -25,8 +25,10 @@ std::optional<TexturedSurface> textured_surface(const Scene& scene, const Lattic
 /// normal that the chip found, 16 fraction bits.
 bool is_octahedral(const TexReq& hit, const Vec3i& outwards, const Config& config);
 
-/// Returns the length of a path after a ray, by the rule in docs/machine/shading.md.
-std::uint32_t path_length(std::uint32_t before, const Vec3i& d, std::uint32_t t, const Config& config);
+/// Returns the length of a path after a ray, by the rule in docs/machine/shading.md. `far_way`: on a plane
+/// whose t is saturated, the way from the ray's origin to the hit, in units of 2^-B.
+std::uint32_t path_length(std::uint32_t before, const Vec3i& d, std::uint32_t t,
+                          const std::optional<Vec3l>& far_way, const Config& config);
 
 /// True if the register for the spread of samples holds the nearest number.
 bool is_spread(const FrameInputs& inputs, int samples_per_side);

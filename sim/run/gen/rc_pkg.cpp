@@ -270,6 +270,7 @@ void parts(Package& p, const Config& config) {
 /// Adds widths and latencies that follow from the parameters.
 void derived(Package& p, const Config& c) {
     p.constant("TBits", c.t_bits());
+    p.constant("PathBits", c.path_bits());
     p.constant("EdgeBits", c.edge_bits());
     p.constant("NumBits", c.num_bits());
     p.constant("OriginBits", c.origin_frac());
@@ -390,6 +391,7 @@ void derived(Package& p, const Config& c) {
     p.constant("TriLatency", c.tri_latency());
     p.constant("TexAddressStages", stages.tex_address);
     p.constant("TexFilterStages", stages.tex_filter);
+    p.constant("OctahedralSteps", c.bary_bits / 2);   // of two bits: the quotient has bary_bits - 1
     p.constant("ShadeStages", stages.pass);
     p.constant("ShadeCut", stages.pass_cut);
     p.constant("ShadeOut", stages.pass_out);
