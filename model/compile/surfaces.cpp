@@ -261,6 +261,8 @@ void write_surfaces(const Scene& scene, const std::vector<std::uint32_t>& record
     const std::size_t first = image.lines(), count = primitive_count(scene);
     check_lines(first + count, config, name);
     image.first_surface_line = std::uint32_t(first);
+    image.first_plane = std::uint32_t(count - scene.planes.size());
+    image.first_plane_surface_line = image.first_surface_line + image.first_plane;
     image.words.resize((first + count) * words_per_line, 0);
     tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
         Words scratch;

@@ -168,8 +168,8 @@ void rewrite_records(const Scene& scene, const Lattice& lattice, const Config& c
         if (records[i] == 0) return;
         const Texture& texture = scene.textures[*texture_of(scene, i)];
         Words scratch;
-        write_payload(record_of(scene, lattice, config, i, known.at(texels_of(texture))),
-                      config, &image.words[std::size_t(records[i]) * words_per_line], scratch);
+        write_payload(record_of(scene, lattice, config, i, known.at(texels_of(texture))), config,
+                      &image.words[std::size_t(records[i]) * words_per_line], scratch);
     });
 }
 

@@ -21,8 +21,8 @@ TexRecord record_of(const Scene& scene, const Lattice& lattice, const Config& co
 /// texels.
 using TextureLines = std::map<std::tuple<const Pyramid*, Wrap, Wrap>, std::uint32_t>;
 
-/// Appends the texels of all textures that primitives show to the image, except those in `known`. Does nothing if the
-/// chip or the scene has no textures. Throws UserError beyond the address range.
+/// Appends the texels of all textures that primitives show to the image, except those in `known`. Does
+/// nothing if the chip or the scene has no textures. Throws UserError beyond the address range.
 void write_texels(const Scene& scene, const Config& config, const std::string& name, TextureLines& known,
                   MemoryImage& image);
 

@@ -91,8 +91,8 @@ struct Config {
     // Derived.
     /// Bits of a distance. A distance saturates; all ones means beyond.
     int t_bits() const { return coord_bits + 2 + t_frac_bits; }
-    /// Bits of the length of a path, which saturates: of textures. Planes are seen 2^far_path_bits as far away
-    /// as a distance reaches.
+    /// Bits of the length of a path, which saturates: of textures. Planes are seen 2^far_path_bits as far
+    /// away as a distance reaches.
     int path_bits() const { return planes ? std::min(t_bits() + far_path_bits, 32) : t_bits(); }
     PrimitiveTest test() const { return primitive_test; }
     bool has_splits() const { return is_bvh() && splits == Splits::on; }

@@ -298,10 +298,11 @@ struct TexReq {
     std::uint32_t record = 0;   ///< as in Surface
     /// Approximate length of the path from the eye to the hit: units of 2^-F lattice steps, saturated.
     std::uint32_t path = 0;
-    std::uint32_t cosine = 0;     ///< between view and normal, 0..1, unit_bits fraction bits
-    /// Of the hit, as in Closest. Of a sphere: the place of its normal in the octahedral picture, octahedral().
+    std::uint32_t cosine = 0;   ///< between view and normal, 0..1, unit_bits fraction bits
+    /// Of the hit, as in Closest. Of a sphere: the place of its normal in the octahedral picture,
+    /// octahedral().
     std::uint32_t u = 0, v = 0;
-    std::int32_t scale = 0;       ///< with two levels: Placement::texel_scale
+    std::int32_t scale = 0;   ///< with two levels: Placement::texel_scale
     template <class V> void fields(V& v_, const Config& c) {
         v_("ray", ray, c.ray_bits());
         v_("record", record, c.addr_bits);

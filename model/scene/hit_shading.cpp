@@ -43,8 +43,7 @@ void apply_texture(const Scene& scene, const glm::dvec2& st, double depth, doubl
                    const std::function<double(const Texture&)>& detail) {
     if (!point.material->texture) return;
     const Texture& texture = scene.textures[*point.material->texture];
-    const double lod =
-        level_of_detail(detail(texture), depth, spread, glm::dot(point.normal, point.to_eye));
+    const double lod = level_of_detail(detail(texture), depth, spread, glm::dot(point.normal, point.to_eye));
     point.colour *= filtered(texture, st, level_of(texture, lod));
 }
 

@@ -110,13 +110,13 @@ TexelLevel texels_of(const Pattern& pattern) {
             low = std::min(low, value), high = std::max(high, value);
         }
     const double range = high > low ? high - low : 1;
-    return painted(pattern, [&](const glm::dvec2& st) {
-        return between(pattern.colours, (noise(st) - low) / range);
-    });
+    return painted(pattern,
+                   [&](const glm::dvec2& st) { return between(pattern.colours, (noise(st) - low) / range); });
 }
 
 Texture texture_of(const Pattern& pattern) {
-    return {.name = "a pattern", .pyramid = std::make_shared<const Pyramid>(make_pyramid(texels_of(pattern)))};
+    return {.name = "a pattern",
+            .pyramid = std::make_shared<const Pyramid>(make_pyramid(texels_of(pattern)))};
 }
 
 }   // namespace rayclock

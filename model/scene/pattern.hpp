@@ -7,17 +7,18 @@
 
 namespace rayclock {
 
-/// A picture made by a formula. A texel has the colour of the formula at its middle. Every kind but the
-/// gradient repeats without a seam if `columns` and `rows` are even.
+/// A picture made by a formula. A texel has the colour of the formula at its middle. Noise repeats without a
+/// seam. So do bricks with an even number of rows, and a checker if the number of colours divides both sides.
 struct Pattern {
     enum class Kind : std::uint8_t {
         checker,    ///< columns x rows fields; field (i, j) has colour (i + j) mod their number
         bricks,     ///< columns x rows bricks of the first colour, and joints of the second
-        gradient,   ///< all colours at equal distances, the first along the upper edge, the last along the lower
+        gradient,   ///< all colours at equal distances, the first along the upper edge, the last along the
+                    ///< lower
         noise       ///< value noise: the lowest value has the first colour, the highest one the last
     };
     Kind kind = Kind::checker;
-    int width = 256, height = 256;                                 ///< texels: powers of two
+    int width = 256, height = 256;                                       ///< texels: powers of two
     std::vector<glm::dvec3> colours{glm::dvec3(0.8), glm::dvec3(0.2)};   ///< linear light; two at least
     int columns = 2, rows = 2;
     /// Of bricks: the width of a joint divided by the height of a row. Every second row is shifted by half a

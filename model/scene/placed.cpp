@@ -83,8 +83,7 @@ void append(Scene& scene, const Scene& part, const glm::dmat4& place, std::optio
         scene.spheres.push_back({moved(s.centre), s.radius * glm::length(linear[0]), material_of(s),
                                  linear / glm::length(linear[0]) * s.turn});
     for (const Plane& p : part.planes)
-        scene.planes.push_back(
-            {moved(p.point), linear * p.u, linear * p.v, material_of(p), p.coordinates});
+        scene.planes.push_back({moved(p.point), linear * p.u, linear * p.v, material_of(p), p.coordinates});
 }
 
 std::uint64_t primitive_count(const PlacedScene& scene) {

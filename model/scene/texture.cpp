@@ -266,7 +266,8 @@ Texture octahedral_picture(const Texture& texture, const glm::dmat3& turn) {
         for (int column = 0; column < side; ++column) {
             TexelSum sum;
             for (int i = 0; i < places * places; ++i) {
-                const glm::dvec2 place(column + (i % places + 0.5) / places, row + (i / places + 0.5) / places);
+                const glm::dvec2 place(column + (i % places + 0.5) / places,
+                                       row + (i / places + 0.5) / places);
                 const glm::dvec3 d = back * octahedral_direction(place / double(side));
                 const glm::dvec2 st(0.5 + std::atan2(d.x, d.z) / (2 * pi),
                                     std::acos(std::clamp(d.y, -1.0, 1.0)) / pi);

@@ -49,8 +49,8 @@ constexpr int most_texture_side = 4096;
 /// The largest |s| and |t| of a triangle's corner, after the shift by whole periods.
 constexpr double most_coordinate = 64;
 
-/// The largest |s| and |t| that a file may give, and those of a plane. Beyond it, a 32-bit float keeps too few
-/// digits of a texel.
+/// The largest |s| and |t| that a file may give, and those of a plane. Beyond it, a 32-bit float keeps too
+/// few digits of a texel.
 constexpr double most_given_coordinate = 1e6;
 
 /// The coordinates (s, t) of a triangle's three corners.
@@ -115,8 +115,8 @@ glm::dvec3 octahedral_direction(const glm::dvec2& st);
 /// nearest to half its width, or to its height if that is more. The equator then has as many texels as the
 /// picture's width.
 int octahedral_side(const Texture& texture);
-/// Turns a picture of longitude (s; the middle is +z, and s increases towards +x) and latitude (the top is +y)
-/// into an octahedral picture. A texel is the mean of the picture at 4 x 4 places in the texel's area,
+/// Turns a picture of longitude (s; the middle is +z, and s increases towards +x) and latitude (the top is
+/// +y) into an octahedral picture. A texel is the mean of the picture at 4 x 4 places in the texel's area,
 /// filtered as `texture.nearest` says, in linear light. `turn`: Sphere::turn. The result clamps at its edges.
 Texture octahedral_picture(const Texture& texture, const glm::dmat3& turn);
 

@@ -515,8 +515,13 @@ TEST_CASE("json: patterns are painted by their formulas") {
     const std::array<std::uint8_t, 4> white{255, 255, 255, 255}, black{0, 0, 0, 255};
     TexelLevel level = picture({{"pattern", "checker"}, {"size", 8}, {"colours", two}});
     CHECK((level.width == 8 && level.height == 8));
-    CHECK((is(level, 0, 0, white) && is(level, 4, 3, black) && is(level, 3, 4, black) && is(level, 7, 7, white)));
-    level = picture({{"pattern", "bricks"}, {"size", 64}, {"columns", 2}, {"rows", 4}, {"joint", 0.25},
+    CHECK((is(level, 0, 0, white) && is(level, 4, 3, black) && is(level, 3, 4, black) &&
+           is(level, 7, 7, white)));
+    level = picture({{"pattern", "bricks"},
+                     {"size", 64},
+                     {"columns", 2},
+                     {"rows", 4},
+                     {"joint", 0.25},
                      {"colours", two}});
     CHECK((is(level, 20, 3, black) && is(level, 20, 4, white)));    // a joint of 4 rows of texels
     CHECK((is(level, 3, 8, black) && is(level, 4, 8, white)));      // and of 4 columns

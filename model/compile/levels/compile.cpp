@@ -125,6 +125,10 @@ private:
         entry.root = out_.roots[entry.map->mesh_class];
         if (!config_.shading) return;
         entry.first_surface_line = surfaces_of(class_of(instance)) - entry.first;
+        if (parts_.is_round(out_.maps.classes[class_of(instance)].mesh)) {
+            image_.first_plane = entry.first + std::uint32_t(parts_.round->spheres.size());
+            image_.first_plane_surface_line = entry.first_surface_line + image_.first_plane;
+        }
         if (const auto& own = parts_.instances[instance].material) entry.material = material_of(*own);
     }
 

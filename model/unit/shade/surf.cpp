@@ -184,8 +184,8 @@ std::uint64_t length_of(Vec3l v) {
 }   // namespace
 
 std::uint32_t path_to(const PassIn& in, const ShadeState& state, const Config& c) {
-    const bool is_far = c.planes && PrimKind(in.surface.kind) == PrimKind::plane &&
-                        in.hit.t == (1u << c.t_bits()) - 1;
+    const bool is_far =
+        c.planes && PrimKind(in.surface.kind) == PrimKind::plane && in.hit.t == (1u << c.t_bits()) - 1;
     std::uint64_t length = 0;
     if (is_far) {
         Vec3l way{};

@@ -25,8 +25,8 @@ std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& config, ShadeS
 /// Mirror of rtl/unit/shade/rc_far_path.sv. `state`: the surface.
 std::uint32_t path_to(const PassIn& in, const ShadeState& state, const Config& config);
 
-/// Returns the place (u, v) of a sphere's hit in its octahedral picture, bary_bits fraction bits. n is the unit
-/// normal that points outwards. With h = 2^(bary_bits - 1) and L = |n_x| + |n_y| + |n_z| + 1,
+/// Returns the place (u, v) of a sphere's hit in its octahedral picture, bary_bits fraction bits. n is the
+/// unit normal that points outwards. With h = 2^(bary_bits - 1) and L = |n_x| + |n_y| + |n_z| + 1,
 ///     p = floor(h |n_x| / L), q = floor(h |n_z| / L); if n_y < 0, (p, q) = (h - q, h - p)
 /// u is h + p, or h - p if n_x < 0; v is h + q, or h - q if n_z < 0. L is larger by 1 than the sum, so both
 /// quotients are below h. Mirror of rtl/unit/shade/rc_octahedral.sv.

@@ -465,10 +465,12 @@ Guide::TexturePlace Guide::place_on_sphere(const MachineVisit& at, const RefClos
     return found;
 }
 
-/// The machine counts sides of the plane from a point a (plane.hpp). This finds the plane's own squares at the
-/// same point, which place() judges. The coordinates at a and at the ends of its sides have 20 fraction bits,
-/// so their errors grow with the number of sides, unless the coordinates are whole numbers of these bits.
-Guide::TexturePlace Guide::place_on_plane(const MachineVisit& at, const RefClosest& hit) const {
+/// The machine counts sides of the plane from a point a (plane.hpp). This finds the plane's own squares at
+/// the same point, which place() judges. The coordinates at a and at the ends of its sides have 20 fraction
+/// bits, so their errors grow with the number of sides, unless the coordinates are whole numbers of these
+/// bits.
+Guide::TexturePlace Guide::place_on_plane(const MachineVisit& at, const RefClosest& hit,
+                                          const Texture& texture) const {
     const Config& config = rules_.inputs.config;
     const Lattice& lattice = rules_.inputs.lattice;
     const Plane& plane =
@@ -484,6 +486,7 @@ Guide::TexturePlace Guide::place_on_plane(const MachineVisit& at, const RefClose
     const glm::dvec3 a = of(at.surface.a);
     TexturePlace found;
     found.st = plane.coordinates[0] + coordinates_along(lattice.centre + a - plane.point);
+    const glm::dvec2 at_a = found.st;
     const double end = std::exp2(config.uv_bits() - 1);
     for (std::size_t i = 0; i < 2; ++i) {
         const double field = i == 0 ? at.hit.u : at.hit.v, whole = field >= end ? field - 2 * end : field,
@@ -495,8 +498,10 @@ Guide::TexturePlace Guide::place_on_plane(const MachineVisit& at, const RefClose
             const double units = std::ldexp(step[axis], coordinate_frac);
             if (std::abs(units - std::round(units)) > 0x1p-12)
                 found.error[axis] += std::ldexp(std::abs(sides), -coordinate_frac);
-            // Such coordinates may not fit a record.
-            found.is_last = found.is_last || std::abs(step[axis]) > most_coordinate / 2;
+            // Such coordinates may not fit a record. Two corners may lie on both sides of the middle.
+            const bool clamps = (axis == 0 ? texture.wrap_s : texture.wrap_t) == Wrap::clamp;
+            found.is_last = found.is_last || std::abs(step[axis]) > most_coordinate - 2 ||
+                            (clamps && std::abs(at_a[axis]) + std::abs(step[axis]) > most_coordinate - 1);
         }
     }
     return found;
@@ -513,7 +518,7 @@ void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& ow
     const Texture& texture = rules_.scene.textures[*surface.material->texture];
     const auto kind = PrimKind(at->surface.kind);
     const TexturePlace place = kind == PrimKind::sphere  ? place_on_sphere(*at, hit)
-                               : kind == PrimKind::plane ? place_on_plane(*at, hit)
+                               : kind == PrimKind::plane ? place_on_plane(*at, hit, texture)
                                                          : place_on_triangle(*at, hit, own);
     // A bounce from beyond the lattice stores its origin with fewer bits. Where t is saturated, the machine
     // measures the way from there as if it had them.

@@ -19,8 +19,8 @@ struct MachineLight {
 struct MachineTexture {
     std::uint32_t level = 0;
     bool is_hole = false;
-    std::uint32_t u = 0, v = 0;            ///< as in TexReq
-    std::array<std::uint32_t, 3> below{};  ///< the albedo before the texture
+    std::uint32_t u = 0, v = 0;             ///< as in TexReq
+    std::array<std::uint32_t, 3> below{};   ///< the albedo before the texture
 };
 
 /// A camera ray or bounce, and the surface that it met.

@@ -43,9 +43,9 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
            "a pass was given another ray than the one that arrived");
     place_ = {};
     if (answer_.found && config_.has_textures())
-        place_.texture =
-            rules_.placed ? rules_.placed->textured(answer_.prim)
-                          : textured_surface(rules_.inputs.scene, rules_.inputs.lattice, answer_.prim);
+        place_.texture = rules_.placed
+                             ? rules_.placed->textured(answer_.prim)
+                             : textured_surface(rules_.inputs.scene, rules_.inputs.lattice, answer_.prim);
     demand(out.leave == (place_.texture && !rules_.placed ? PassOut::Leave::texture : PassOut::Leave::again),
            "a surface sends a ray, or does not request its texture");
     if (branch_.depth == 0 && sample_ == 0 && holes_ == 0)

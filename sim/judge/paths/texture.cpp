@@ -72,7 +72,8 @@ bool holds_axis(const std::array<std::int32_t, 3>& held, const CornerCoordinates
                 Wrap wrap, PrimKind kind) {
     const double period = std::ldexp(wrap == Wrap::repeat ? 1.0 : 2.0, 20);
     const bool moves = kind == PrimKind::plane && wrap != Wrap::clamp;
-    const double shift = moves ? period * std::round((std::ldexp(corners[0][axis], 20) - held[0]) / period) : 0;
+    const double shift =
+        moves ? period * std::round((std::ldexp(corners[0][axis], 20) - held[0]) / period) : 0;
     for (std::size_t k = 0; k < 3; ++k) {
         const double value = std::ldexp(corners[k][axis], 20);
         // A plane's own point may be far away: its coordinates are then larger, and a double rounds them.
@@ -82,13 +83,14 @@ bool holds_axis(const std::array<std::int32_t, 3>& held, const CornerCoordinates
     return true;
 }
 
-const char* judge_record(const FrameInputs& inputs, const TexturedSurface& surface,
-                         const TexRecord& record) {
+const char* judge_record(const FrameInputs& inputs, const TexturedSurface& surface, const TexRecord& record) {
     const Texture& texture = *surface.texture;
     const CornerCoordinates& corners = surface.coordinates;
-    const bool holds_none = surface.is_average && record.s == std::array<std::int32_t, 3>{} && record.t == record.s;
-    if (!holds_none && (surface.is_average || !holds_axis(record.s, corners, 0, texture.wrap_s, surface.kind) ||
-                        !holds_axis(record.t, corners, 1, texture.wrap_t, surface.kind)))
+    const bool holds_none =
+        surface.is_average && record.s == std::array<std::int32_t, 3>{} && record.t == record.s;
+    if (!holds_none &&
+        (surface.is_average || !holds_axis(record.s, corners, 0, texture.wrap_s, surface.kind) ||
+         !holds_axis(record.t, corners, 1, texture.wrap_t, surface.kind)))
         return "memory does not hold the texture coordinates of the surface that was hit";
     const std::vector<TexelLevel>& levels = texture.pyramid->levels;
     const auto mode = [](Wrap wrap) { return std::uint32_t(wrap); };   // the same order: repeat, mirror,
@@ -206,11 +208,11 @@ std::uint32_t path_length(std::uint32_t before, const Vec3i& d, std::uint32_t t,
         return size[2] + floor_of(size[1], 4) + floor_of(size[1], 8) + floor_of(size[0], 4) +
                floor_of(size[0], 16);
     };
-    const Int128 added =
-        far_way ? floor_of(length_of(*far_way) * (Int128(1) << config.t_frac_bits), Int128(1) << config.origin_bits)
-                : floor_of(floor_of(length_of(d), Int128(1) << (config.dir_bits - 8)) * t, 128);
-    const Int128 path = before + added,
-                 most = (Int128(1) << (config.t_bits() + (config.planes ? 6 : 0))) - 1,
+    const Int128 added = far_way
+                             ? floor_of(length_of(*far_way) * (Int128(1) << config.t_frac_bits),
+                                        Int128(1) << config.origin_bits)
+                             : floor_of(floor_of(length_of(d), Int128(1) << (config.dir_bits - 8)) * t, 128);
+    const Int128 path = before + added, most = (Int128(1) << (config.t_bits() + (config.planes ? 6 : 0))) - 1,
                  widest = (Int128(1) << 32) - 1;
     return std::uint32_t(std::min({path, most, widest}));
 }
@@ -232,7 +234,8 @@ const char* judge_texture(const FrameInputs& inputs, const TexturedSurface& surf
         return surface.kind == PrimKind::plane && Int128(x) > end ? Int128(x) - 2 * end - 2 : Int128(x);
     };
     const Int128 u = weight(hit.u), v = weight(hit.v);
-    const bool ends = surface.kind == PrimKind::plane && (u == end || v == end || u == -end - 1 || v == -end - 1);
+    const bool ends =
+        surface.kind == PrimKind::plane && (u == end || v == end || u == -end - 1 || v == -end - 1);
 
     const std::int64_t slant = std::max<std::int64_t>(64 * unit_bits - log_in_64ths(hit.cosine), 0) / 2;
     const std::int64_t detail =

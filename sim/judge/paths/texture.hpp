@@ -21,8 +21,8 @@ struct TexturedSurface {
 std::optional<TexturedSurface> textured_surface(const Scene& scene, const Lattice& lattice,
                                                 std::size_t primitive);
 
-/// True if a request to tex has the place of a sphere's normal in the octahedral picture. `outwards`: the unit
-/// normal that the chip found, 16 fraction bits.
+/// True if a request to tex has the place of a sphere's normal in the octahedral picture. `outwards`: the
+/// unit normal that the chip found, 16 fraction bits.
 bool is_octahedral(const TexReq& hit, const Vec3i& outwards, const Config& config);
 
 /// Returns the length of a path after a ray, by the rule in docs/machine/shading.md. `far_way`: on a plane

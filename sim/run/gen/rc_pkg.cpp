@@ -262,9 +262,8 @@ void parts(Package& p, const Config& config) {
                        {"diffuse", "highlight", "mirror", "shine", "ambient", "record", "is_round"});
     p.part<ShadeState>("shade_bend", {"transmit", "ratio", "schlick", "r0"});
     p.part<ShadeState>("shade_self", {"self", "is_inside"});
-    p.part<ShadeState>("material",
-                       {"diffuse", "highlight", "mirror", "shine", "ambient", "record", "is_round",
-                        "transmit", "ratio", "schlick", "r0", "self", "is_inside"});
+    p.part<ShadeState>("material", {"diffuse", "highlight", "mirror", "shine", "ambient", "record",
+                                    "is_round", "transmit", "ratio", "schlick", "r0", "self", "is_inside"});
 }
 
 /// Adds widths and latencies that follow from the parameters.

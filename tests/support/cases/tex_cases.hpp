@@ -70,7 +70,9 @@ inline Int128 weight_in(std::uint32_t x, const Config& c) {
 /// True if u or v lies at an end of its range, on a plane.
 inline bool is_at_end(const TexReq& hit, const Config& c) {
     const Int128 most = (Int128(1) << (c.uv_bits() - 1)) - 1;
-    const auto ends = [&](std::uint32_t x) { return weight_in(x, c) == most || weight_in(x, c) == -most - 1; };
+    const auto ends = [&](std::uint32_t x) {
+        return weight_in(x, c) == most || weight_in(x, c) == -most - 1;
+    };
     return c.planes && (ends(hit.u) || ends(hit.v));
 }
 inline int wanted_level(const TexReq& hit, const TexRecord& record, int spread) {
@@ -269,7 +271,9 @@ inline TexReq random_hit(Draw& draw, const Config& c) {
         const std::int64_t whole = draw.number(plane_bits + 1), half = std::int64_t(1) << (c.uv_bits() - 1);
         const std::int64_t near = (whole << c.bary_bits) + draw.between(-2, 2),
                            end = draw.coin() ? half - 1 - draw.below(2) : -half + draw.below(2),
-                           x = draw.percent(20) ? end : draw.coin() ? near : draw.number(c.uv_bits());
+                           x = draw.percent(20) ? end
+                               : draw.coin()    ? near
+                                                : draw.number(c.uv_bits());
         return std::uint32_t(std::clamp(x, -half, half - 1)) & std::uint32_t((2 * half) - 1);
     };
     if (c.planes && draw.percent(70)) hit.u = on_plane(), hit.v = draw.percent(20) ? hit.v : on_plane();
