@@ -434,7 +434,8 @@ mutant(tex_model_pattern_repeats_with_a_seam FILE model/scene/pattern.cpp TEST l
 mutant(tex_model_bricks_not_shifted FILE model/scene/pattern.cpp TEST load "json: patterns*"
   OLD [[(row % 2 != 0 ? 0.5 : 0)]]
   NEW [[(row % 2 != 0 ? 0.0 : 0)]])
-mutant(tex_model_longitude_runs_backwards FILE model/scene/texture.cpp TEST load "json: the middle of a sphere*"
+mutant(tex_model_longitude_runs_backwards FILE model/scene/texture.cpp
+  TEST load "json: the middle of a sphere*"
   OLD [[0.5 + std::atan2(d.x, d.z)]]
   NEW [[0.5 - std::atan2(d.x, d.z)]])
 

@@ -39,10 +39,10 @@ module rc_octahedral #(
   logic [Width-1:0]   s14_x_q, s14_z_q, s14_sum_q;
 
   for (genvar k = 0; k < 3; k++) begin : gen_axis
-    logic signed [Width-1:0] n;
+    logic signed [Width-1:0] given, n;
 
-    assign n = s13_inside_i ? -Width'($signed(s13_normal_i[k*AxisBits +: AxisBits]))
-                            : Width'($signed(s13_normal_i[k*AxisBits +: AxisBits]));
+    assign given = Width'($signed(s13_normal_i[k*AxisBits +: AxisBits]));
+    assign n     = s13_inside_i ? -given : given;
     assign s13_below[k]                = n < 0;
     assign s13_size[k*Width +: Width] = n < 0 ? -n : n;
   end

@@ -369,16 +369,17 @@ module rc_pass #(
     .data_o(surf_cosine));
 
   // ---- With textures on spheres: the place of the normal in the picture.
+  localparam int unsigned Steps = rc_pkg::OctahedralSteps;
+  // The last stage that begins before the place is ready; see rc_octahedral.
+  localparam int unsigned Ready = 13 + (Steps + 1 + Every) / Every;
+
+  if (Round && Ready >= Out) begin : gen_refuse
+    $error("rc_pass: a sphere's place in its picture comes too late");
+  end
+
   if (Round) begin : gen_octahedral
-    localparam int unsigned Steps = rc_pkg::OctahedralSteps;
-    // The last stage that begins before the place is ready; see rc_octahedral.
-    localparam int unsigned Ready = 13 + (Steps + 1 + Every) / Every;
     logic              s13_inside, leaves_13, begins_14;
     logic [UvBits-1:0] ready_u, ready_v;
-
-    if (Ready >= Out) begin : gen_refuse
-      $error("rc_pass: a sphere's place in its picture comes too late");
-    end
 
     assign leaves_13 = rc_pkg::Homes == 1 ? transform_at[13] : surf_at[13];
     assign begins_14 = phase[14*Every]
