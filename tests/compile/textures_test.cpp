@@ -313,7 +313,7 @@ TEST_CASE("a plane's record follows the coordinates of its squares, or shows the
         Scene scene;
         const Wrap wrap = wraps[std::size_t(draw.below(3))];
         scene.textures.push_back({"", random_pyramid(draw, 16, 4), wrap, wrap, false, draw.coin()});
-        scene.materials.push_back({.texture = 0});
+        scene.materials.emplace_back().texture = 0;
         Plane plane;
         const double size = std::exp2(draw.between(-9, 9));
         plane.point = {draw.between(-100, 100), draw.between(-5, 5), draw.between(-100, 100)};
