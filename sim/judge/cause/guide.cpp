@@ -451,8 +451,9 @@ Guide::TexturePlace Guide::place_on_triangle(const MachineVisit& at, const RefCl
 }
 
 /// The machine projects the unit normal that it found. The normal follows from its point, which place()
-/// judges. Each quotient is rounded down, and its divisor is larger by at most 2^-16. A step in the picture
-/// is at most sqrt(8) as long on the sphere.
+/// judges. Each quotient is rounded down, by less than a unit of 2^(1 - bary_bits), and its divisor is larger
+/// by at most 2^-16. Steps e in both quotients are (e, 2 e, e) on the octahedron, at least 1 / sqrt(3) from
+/// its middle, so at most sqrt(18) e on the sphere.
 Guide::TexturePlace Guide::place_on_sphere(const MachineVisit& at, const RefClosest& hit) const {
     const double fine = std::exp2(-rules_.inputs.config.bary_bits);
     const Sphere& sphere = rules_.scene.spheres[hit.primitive - rules_.scene.triangles.size()];
@@ -460,8 +461,8 @@ Guide::TexturePlace Guide::place_on_sphere(const MachineVisit& at, const RefClos
                                           rules_.reference.geometry().space()(sphere.centre));
     TexturePlace found;
     found.st = fine * glm::dvec2(at.texture->u, at.texture->v);
-    found.is_wrong =
-        glm::length(octahedral_direction(found.st) - out) > vector_error + 4 * (fine + 0x1p-16) + tie_size;
+    found.is_wrong = glm::length(octahedral_direction(found.st) - out) >
+                     vector_error + 4.25 * (2 * fine + 0x1p-16) + tie_size;
     return found;
 }
 
