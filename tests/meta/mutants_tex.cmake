@@ -446,12 +446,9 @@ mutant(simulate_tex_plane_corners_swapped FILE model/compile/plane.cpp TEST simu
 mutant(simulate_tex_plane_from_its_own_point FILE model/compile/plane.cpp TEST simulate ${globe}
   OLD [[corners[0] += on.at[i] * step[i];]]
   NEW [[corners[0] += 0.3 * step[i];]])
-mutant(simulate_tex_plane_unsigned FILE ${tex_model} TEST simulate ${globe}
-  OLD [[c.planes && x >= half ?]]
-  NEW [[c.planes && x >= 2 * half ?]])
 mutant(simulate_tex_far_path_saturates FILE model/unit/shade/surf.cpp TEST simulate "${globe} --size 200x150"
-  OLD [[const bool is_far = c.planes &&]]
-  NEW [[const bool is_far = false && c.planes &&]])
+  OLD [[c.planes && PrimKind(in.surface.kind) == PrimKind::plane &&]]
+  NEW [[c.planes && PrimKind(in.surface.kind) == PrimKind::sphere &&]])
 mutant(simulate_tex_sphere_axes_swapped FILE model/unit/shade/surf.cpp TEST simulate ${globe}
   OLD [[half * std::abs(n[0]) / sum, q = half * std::abs(n[2]) / sum;]]
   NEW [[half * std::abs(n[2]) / sum, q = half * std::abs(n[0]) / sum;]])
@@ -488,7 +485,7 @@ mutant(tex_octahedral_normal_inwards FILE rtl/unit/shade/rc_pass.sv TEST unit ${
   NEW [[.data_i(known.is_inside && 1'b0),]])
 mutant(tex_sphere_without_its_place FILE ${pass_end} TEST unit ${shade_rtl_case}
   OLD [[request.v = begin_state_i.is_round ? round_v_i : v_i;]]
-  NEW [[request.v = v_i;]])
+  NEW [[request.v = begin_state_i.is_round && 1'b0 ? round_v_i : v_i;]])
 mutant(tex_far_path_never FILE rtl/unit/shade/rc_pass.sv TEST unit ${shade_rtl_case}
   OLD [[end_far ? far_path : near_path;]]
   NEW [[end_far && 1'b0 ? far_path : near_path;]])
