@@ -270,6 +270,7 @@ TEST_CASE("a path is as long as its rays together, rounded down and saturated", 
         if (draw.percent(10)) in.d[std::size_t(draw.below(3))] = -(1 << (c.dir_bits - 1));
         if (draw.percent(20)) in.d = random_corner_direction(draw, c);
         if (PrimKind(in.surface.kind) == PrimKind::plane) in.hit.t >>= 1;   // not too far away for t
+        if (draw.percent(5)) in.state.path = std::uint32_t((std::uint64_t(1) << c.path_bits()) - 1);
         const auto [length, wanted] = wanted_path(in.state.path, in.d, in.hit.t, c);
         const std::int64_t most = (std::int64_t(1) << c.path_bits()) - 1;
         REQUIRE(std::int64_t(pass(in, frame, c).state.path) == std::min(wanted, most));
@@ -371,7 +372,7 @@ TEST_CASE("a sphere's request has the place of its outward normal in the octahed
         REQUIRE(glm::length(octahedral_direction(octahedral_place(out)) - out) < 1e-12);
     }
     CAPTURE(lower, inside, edges);
-    CHECK((lower > 30000 && inside > 15000 && edges > 500));
+    CHECK((lower > 25000 && inside > 15000 && edges > 10000));
 }
 
 TEST_CASE("a path begins at the camera ray, and a refracted ray continues its own", "[pass][textures]") {
