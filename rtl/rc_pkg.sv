@@ -71,6 +71,7 @@ package rc_pkg;
 
   // What follows from these: model/core/config.hpp.
   localparam int unsigned TBits = 24;
+  localparam int unsigned PathBits = 24;
   localparam int unsigned EdgeBits = 58;
   localparam int unsigned NumBits = 56;
   localparam int unsigned OriginBits = 0;
@@ -192,6 +193,7 @@ package rc_pkg;
   localparam int unsigned TriLatency = 18;
   localparam int unsigned TexAddressStages = 7;
   localparam int unsigned TexFilterStages = 4;
+  localparam int unsigned OctahedralSteps = 8;
   localparam int unsigned ShadeStages = 28;
   localparam int unsigned ShadeCut = 0;
   localparam int unsigned ShadeOut = 28;

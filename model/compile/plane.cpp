@@ -49,12 +49,29 @@ PlaneOnLattice plane_on_lattice(const Plane& plane, const Lattice& lattice) {
     return out;
 }
 
+std::optional<CornerCoordinates> plane_coordinates(const Plane& plane, const PlaneOnLattice& on,
+                                                   const Texture& texture) {
+    std::array<glm::dvec2, 2> step{};
+    CornerCoordinates corners;
+    corners[0] = plane.coordinates[0];
+    for (std::size_t i = 0; i < 2; ++i) {
+        step[i] = (plane.coordinates[i + 1] - plane.coordinates[0]) * std::ldexp(1.0, -on.level[i]);
+        corners[0] += on.at[i] * step[i];
+    }
+    corners[1] = corners[0] + step[0], corners[2] = corners[0] + step[1];
+    corners = near_zero(texture, corners);
+    for (const glm::dvec2& corner : corners)
+        if (!(std::abs(corner.x) <= most_coordinate && std::abs(corner.y) <= most_coordinate))
+            return std::nullopt;
+    return corners;
+}
+
 Plane snapped_plane(const Plane& plane, const Lattice& lattice) {
     const PlaneOnLattice on = plane_on_lattice(plane, lattice);
     const auto point = [](const Vec3i& p) { return glm::dvec3(p[0], p[1], p[2]); };
     const glm::dvec3 u = point(on.b) - point(on.a), v = point(on.c) - point(on.a);
     return {point(on.a) - on.at[0] * u - on.at[1] * v, u * std::ldexp(1.0, on.level[0]),
-            v * std::ldexp(1.0, on.level[1]), plane.material};
+            v * std::ldexp(1.0, on.level[1]), plane.material, plane.coordinates};
 }
 
 void set_checkers(const PlaneOnLattice& plane, const Config& config, Surface& surface) {

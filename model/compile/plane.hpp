@@ -1,5 +1,7 @@
 #pragma once
 // An infinite plane on the lattice.
+#include <optional>
+
 #include "model/scene/scene.hpp"
 #include "model/layout/memory_image.hpp"
 
@@ -16,6 +18,12 @@ struct PlaneOnLattice {
     std::array<double, 2> at{};   ///< whole sides from the plane's point to a
 };
 PlaneOnLattice plane_on_lattice(const Plane& plane, const Lattice& lattice);
+
+/// Returns the coordinates of a texture at the corners a, b and c of a plane on the lattice, shifted by whole
+/// periods as those of triangles (near_zero()). Returns nothing if one of them exceeds most_coordinate: the
+/// picture is then shorter than a 64th of the side of PlaneOnLattice, or it clamps and lies far from a.
+std::optional<CornerCoordinates> plane_coordinates(const Plane& plane, const PlaneOnLattice& on,
+                                                   const Texture& texture);
 
 /// Returns the plane on the lattice, in lattice steps, with squares counted from the plane's own point.
 Plane snapped_plane(const Plane& plane, const Lattice& lattice);

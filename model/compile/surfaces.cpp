@@ -262,7 +262,7 @@ void check_units(const Scene& scene, const Config& config, const std::string& na
     if (!scene.planes.empty() && !config.planes) refuse("planes", "planes");
     if (!config.has_shade()) return;
     if (!scene.normals.empty() && !config.smooth) refuse("corner normals", "smooth");
-    if (!scene.coordinates.empty() && !config.textures) refuse("textures", "textures");
+    if (shows_textures(scene) && !config.textures) refuse("textures", "textures");
     for (const Material& m : scene.materials)
         if (m.transmit > 0 && !config.refraction) refuse("a material that transmits", "refraction");
 }
@@ -272,6 +272,8 @@ void write_surfaces(const Scene& scene, const std::vector<std::uint32_t>& record
     const std::size_t first = image.lines(), count = primitive_count(scene);
     check_lines(first + count, config, name);
     image.first_surface_line = std::uint32_t(first);
+    image.first_plane = std::uint32_t(count - scene.planes.size());
+    image.first_plane_surface_line = image.first_surface_line + image.first_plane;
     image.words.resize((first + count) * words_per_line, 0);
     tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
         Words scratch;
@@ -287,7 +289,7 @@ Config fitted_config(const Scene& scene, const Whitted& settings, Config config)
     config.spheres = !scene.spheres.empty();
     config.planes = !scene.planes.empty();
     config.smooth = !scene.normals.empty();
-    config.textures = !scene.coordinates.empty();
+    config.textures = shows_textures(scene);
     config.refraction = std::any_of(scene.materials.begin(), scene.materials.end(),
                                     [](const Material& m) { return m.transmit > 0; });
     config.supersampling = settings.aa > 1 || settings.jitter;

@@ -3,12 +3,14 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include <glm/matrix.hpp>
 #include <tbb/parallel_for.h>
 
 #include "model/compile/emit.hpp"
+#include "model/compile/plane.hpp"
 #include "model/layout/words.hpp"
 
 namespace rayclock {
@@ -72,12 +74,25 @@ TexRecord common_record(const Texture& texture, std::uint32_t base) {
     return record;
 }
 
-std::optional<std::uint32_t> texture_of(const Scene& scene, const Triangle& triangle) {
-    return scene.materials[triangle.material].texture;
+bool has_texels(const Scene& scene, const Config& config) {
+    return config.has_textures() && shows_textures(scene);
 }
 
-bool has_texels(const Scene& scene, const Config& config) {
-    return config.has_textures() && !scene.coordinates.empty();
+void set_coordinates(const CornerCoordinates& corners, TexRecord& record) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        record.s[k] = std::int32_t(std::lround(std::ldexp(corners[k].x, coordinate_frac)));
+        record.t[k] = std::int32_t(std::lround(std::ldexp(corners[k].y, coordinate_frac)));
+    }
+}
+
+void set_plane(const Plane& plane, const Texture& texture, const Lattice& lattice, TexRecord& record,
+               double& detail) {
+    detail = texture_detail(texture, plane);
+    if (const auto corners = plane_coordinates(plane, plane_on_lattice(plane, lattice), texture))
+        return set_coordinates(*corners, record);
+    // One texel everywhere: the average colour.
+    record.last_level = std::uint32_t(texture.pyramid->levels.size()) - 1;
+    detail = std::numeric_limits<double>::infinity();
 }
 
 TextureLines::key_type texels_of(const Texture& texture) {
@@ -86,19 +101,24 @@ TextureLines::key_type texels_of(const Texture& texture) {
 
 }   // namespace
 
-TexRecord record_of(const Scene& scene, const Lattice& lattice, const Config& config, std::uint32_t triangle,
+TexRecord record_of(const Scene& scene, const Lattice& lattice, const Config& config, std::size_t primitive,
                     std::uint32_t base) {
-    const Texture& texture = scene.textures[*texture_of(scene, scene.triangles[triangle])];
+    const Texture& texture = scene.textures[*texture_of(scene, primitive)];
     TexRecord record = common_record(texture, base);
-    const CornerCoordinates& corners = scene.coordinates[triangle];
-    for (std::size_t k = 0; k < 3; ++k) {
-        record.s[k] = std::int32_t(std::lround(std::ldexp(corners[k].x, coordinate_frac)));
-        record.t[k] = std::int32_t(std::lround(std::ldexp(corners[k].y, coordinate_frac)));
+    const std::size_t triangles = scene.triangles.size(), planes = triangles + scene.spheres.size();
+    double detail = 0;
+    if (primitive < triangles) {
+        set_coordinates(scene.coordinates[primitive], record);
+        if (const double cutoff = scene.materials[scene.triangles[primitive].material].cutoff; cutoff > 0)
+            record.cutoff = std::uint32_t(std::clamp(std::round(cutoff * 255), 1.0, 255.0));
+        detail = texture_detail(scene, std::uint32_t(primitive));
+    } else if (primitive < planes) {
+        set_coordinates({{{0, 0}, {1, 0}, {0, 1}}}, record);
+        detail = texture_detail(texture, scene.spheres[primitive - triangles]);
+    } else {
+        set_plane(scene.planes[primitive - planes], texture, lattice, record, detail);
     }
-    if (const double cutoff = scene.materials[scene.triangles[triangle].material].cutoff; cutoff > 0)
-        record.cutoff = std::uint32_t(std::clamp(std::round(cutoff * 255), 1.0, 255.0));
-    record.density =
-        level_number(texture_detail(scene, triangle) + std::log2(lattice.pitch.x) - config.t_frac_bits);
+    record.density = level_number(detail + std::log2(lattice.pitch.x) - config.t_frac_bits);
     return record;
 }
 
@@ -111,8 +131,8 @@ std::int32_t texel_scale_of(const std::array<std::int32_t, 9>& a, const Config& 
 void write_texels(const Scene& scene, const Config& config, const std::string& name, TextureLines& known,
                   MemoryImage& image) {
     if (!has_texels(scene, config)) return;
-    for (const Triangle& triangle : scene.triangles) {
-        const std::optional<std::uint32_t> number = texture_of(scene, triangle);
+    for (std::size_t i = 0; i < primitive_count(scene); ++i) {
+        const std::optional<std::uint32_t> number = texture_of(scene, i);
         if (!number) continue;
         const Texture& texture = scene.textures[*number];
         const std::uint64_t first = image.lines();
@@ -131,10 +151,10 @@ std::vector<std::uint32_t> write_records(const Scene& scene, const Lattice& latt
                                          const std::string& name, const TextureLines& known,
                                          MemoryImage& image) {
     if (!has_texels(scene, config)) return {};
-    std::vector<std::uint32_t> records(scene.triangles.size());
+    std::vector<std::uint32_t> records(primitive_count(scene));
     std::uint64_t next = image.lines();
     for (std::size_t i = 0; i < records.size(); ++i)
-        if (texture_of(scene, scene.triangles[i])) records[i] = std::uint32_t(next++);
+        if (texture_of(scene, i)) records[i] = std::uint32_t(next++);
     check_lines(next, config, name);
     image.words.resize(next * words_per_line, 0);
     rewrite_records(scene, lattice, config, known, records, image);
@@ -146,10 +166,10 @@ void rewrite_records(const Scene& scene, const Lattice& lattice, const Config& c
                      MemoryImage& image) {
     tbb::parallel_for(std::size_t(0), records.size(), [&](std::size_t i) {
         if (records[i] == 0) return;
-        const Texture& texture = scene.textures[*texture_of(scene, scene.triangles[i])];
+        const Texture& texture = scene.textures[*texture_of(scene, i)];
         Words scratch;
-        write_payload(record_of(scene, lattice, config, std::uint32_t(i), known.at(texels_of(texture))),
-                      config, &image.words[std::size_t(records[i]) * words_per_line], scratch);
+        write_payload(record_of(scene, lattice, config, i, known.at(texels_of(texture))), config,
+                      &image.words[std::size_t(records[i]) * words_per_line], scratch);
     });
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Textures in the memory image: texels, and the record of each textured triangle.
+// Textures in the memory image: texels, and the record of each textured primitive.
 #include <map>
 #include <string>
 #include <tuple>
@@ -11,22 +11,23 @@
 
 namespace rayclock {
 
-/// Returns the texture record of a triangle whose material has a texture. `base`: the first line of its
-/// texels.
-TexRecord record_of(const Scene& scene, const Lattice& lattice, const Config& config, std::uint32_t triangle,
+/// Returns the texture record of a primitive that shows a texture. `base`: the first line of its texels. A
+/// sphere's corners are (0, 0), (1, 0) and (0, 1): its u and v are places in the octahedral picture. A plane
+/// without plane_coordinates() has the texture's last level everywhere.
+TexRecord record_of(const Scene& scene, const Lattice& lattice, const Config& config, std::size_t primitive,
                     std::uint32_t base);
 
 /// The first lines of the textures that an image holds. Textures that differ only in their filter share
 /// texels.
 using TextureLines = std::map<std::tuple<const Pyramid*, Wrap, Wrap>, std::uint32_t>;
 
-/// Appends the texels of all textures on triangles to the image, except those in `known`. Does nothing if the
-/// chip or the scene has no textures. Throws UserError beyond the address range.
+/// Appends the texels of all textures that primitives show to the image, except those in `known`. Does
+/// nothing if the chip or the scene has no textures. Throws UserError beyond the address range.
 void write_texels(const Scene& scene, const Config& config, const std::string& name, TextureLines& known,
                   MemoryImage& image);
 
-/// Appends a record for each textured triangle, after write_texels(). `lattice`: the triangles' lattice.
-/// Returns the line of each triangle's record, 0 without a texture; an empty list if the chip or the scene
+/// Appends a record for each textured primitive, after write_texels(). `lattice`: the primitives' lattice.
+/// Returns the line of each primitive's record, 0 without a texture; an empty list if the chip or the scene
 /// has no textures. Throws UserError beyond the address range.
 std::vector<std::uint32_t> write_records(const Scene& scene, const Lattice& lattice, const Config& config,
                                          const std::string& name, const TextureLines& known,

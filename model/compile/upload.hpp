@@ -36,6 +36,8 @@ inline MemoryImage without_words(const MemoryImage& image) {
     shape.lattice = image.lattice;
     shape.first_mesh_line = image.first_mesh_line;
     shape.first_surface_line = image.first_surface_line;
+    shape.first_plane = image.first_plane;
+    shape.first_plane_surface_line = image.first_plane_surface_line;
     shape.primitives = image.primitives;
     shape.listed_primitives = image.listed_primitives;
     shape.levels = image.levels;

@@ -104,10 +104,12 @@ inline std::uint64_t radius_squared(const PrimData& sphere, int coord_bits) {
 /// How a texture continues beyond its edges.
 enum class WrapMode : std::uint32_t { repeat, mirror, clamp };
 
-/// The texture on a triangle: a line of memory (right-aligned), which Surface::record names. One unit of s
+/// The texture on a surface: a line of memory (right-aligned), which Surface::record names. One unit of s
 /// and t is the whole picture; t points down.
 struct TexRecord {
-    std::array<std::int32_t, 3> s{}, t{};   ///< of the corners, coordinate_frac fraction bits
+    /// Of the corners a, b and c in Surface, coordinate_frac fraction bits. Of a sphere: where u and v are 0,
+    /// where u is 1, and where v is 1.
+    std::array<std::int32_t, 3> s{}, t{};
     std::uint32_t base = 0;   ///< first line of level 0; model/unit/tex/texel.hpp has the others
     std::uint32_t log_width = 0, log_height = 0;   ///< logarithms of the sides of level 0, in texels
     std::uint32_t wrap_s = 0, wrap_t = 0;          ///< WrapMode
@@ -140,7 +142,7 @@ struct Surface {
     /// For a triangle: all components of its edges are multiples of 2^fine. So points of B fraction bits lie
     /// 2^-(B + fine) of an edge apart on it.
     std::uint32_t fine = 0;
-    std::uint32_t record = 0;   ///< line of the triangle's TexRecord; 0: no texture
+    std::uint32_t record = 0;   ///< line of the surface's TexRecord; 0: no texture
     Vec3i a{}, b{}, c{};        ///< as in PrimData
     /// For a smooth triangle: [3 * corner + axis], each normal at most 2^(corner_bits - 1) - 1 long. For a
     /// plane: normal[0] and [1] are phases, normal[2] and [3] bit numbers. Bit normal[2] of u + normal[0]

@@ -53,7 +53,7 @@ NUMBER(panes, rtl, 0, 0, max_panes, "planes", always,
        "transmitting planes for which a path records its side, for lights beyond the lattice")
 FLAG(horizon, rtl, always, "1: bounces that pass by the lattice meet planes beyond it")
 FLAG(supersampling, rtl, always, "1: several samples in a pixel")
-FLAG(textures, rtl, always, "1: image textures on triangles")
+FLAG(textures, rtl, always, "1: image textures")
 CHOICE(texels, rtl, TexelFormat, rgb888, textures, "format of texels: rgb888 with 8 bits of alpha, rgb565 with one bit")
 NUMBER(lights, rtl, 8, 1, max_lights, "lights", shade, "most point lights")
 NUMBER(bounces, rtl, 5, 1, 15, "rays", shade, "most waiting rays of a pixel, which is the largest depth")

@@ -305,7 +305,7 @@ inline bool same_answer(const Closest& a, const Closest& b) {
            a.back == b.back;
 }
 
-/// shade -> tex: the hit of a triangle with a texture. For a cut-out in the way to a light: path 0, cosine 1,
+/// shade -> tex: the hit of a surface with a texture. For a cut-out in the way to a light: path 0, cosine 1,
 /// scale 0.
 struct TexReq {
     std::uint32_t ray = 0;
@@ -313,14 +313,16 @@ struct TexReq {
     /// Approximate length of the path from the eye to the hit: units of 2^-F lattice steps, saturated. 0 asks
     /// for level 0.
     std::uint32_t path = 0;
-    std::uint32_t cosine = 0;     ///< between view and normal, 0..1, unit_bits fraction bits
-    std::uint32_t u = 0, v = 0;   ///< of the hit, as in Closest
-    std::int32_t scale = 0;       ///< with two levels: Placement::texel_scale
+    std::uint32_t cosine = 0;   ///< between view and normal, 0..1, unit_bits fraction bits
+    /// Of the hit, as in Closest. Of a sphere: the place of its normal in the octahedral picture,
+    /// octahedral().
+    std::uint32_t u = 0, v = 0;
+    std::int32_t scale = 0;   ///< with two levels: Placement::texel_scale
     template <class V> void fields(V& v_, const Config& c) {
         v_("ray", ray, c.ray_bits());
         v_("record", record, c.addr_bits);
         if (c.has_homes()) v_("scale", scale, level_bits);
-        v_("path", path, c.t_bits());
+        v_("path", path, c.path_bits());
         v_("cosine", cosine, unit_bits + 1);
         v_("u", u, c.uv_bits());
         v_("v", v, c.uv_bits());

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
@@ -37,6 +38,15 @@ void finish(ShadedPoint& point, const glm::dvec3& eye, const glm::dvec3& outside
     if (glm::dot(point.normal, point.to_eye) < 0) point.normal = -point.normal;
 }
 
+/// Multiplies the point's colour by its material's texture, if there is one. `detail`: texture_detail().
+void apply_texture(const Scene& scene, const glm::dvec2& st, double depth, double spread, ShadedPoint& point,
+                   const std::function<double(const Texture&)>& detail) {
+    if (!point.material->texture) return;
+    const Texture& texture = scene.textures[*point.material->texture];
+    const double lod = level_of_detail(detail(texture), depth, spread, glm::dot(point.normal, point.to_eye));
+    point.colour *= filtered(texture, st, level_of(texture, lod));
+}
+
 /// Returns a point on a triangle. Smooth normals can face away from the eye near a silhouette although the
 /// triangle faces it. So the flat normal decides which side is seen, and it replaces a smooth normal that
 /// vanishes. The order of the vertices decides which side is outside. If the sum of the corner normals points
@@ -58,29 +68,30 @@ ShadedPoint on_triangle(const Scene& scene, const PlacedTriangle& triangle, cons
         const glm::dvec3 smooth = v0 * n[0] + v1 * n[1] + v2 * n[2];
         point.normal = unit_or(is_turned != is_back ? -smooth : smooth, point.normal);
     }
-    if (point.material->texture) {
-        const Texture& texture = scene.textures[*point.material->texture];
-        const auto& [p, q, r] = triangle.coordinates;
-        const double lod = level_of_detail(texture_detail(texture, triangle.vertices, triangle.coordinates),
-                                           hit.depth, spread, glm::dot(point.normal, point.to_eye));
-        point.colour *= filtered(texture, v0 * p + v1 * q + v2 * r, level_of(texture, lod));
-    }
+    const auto& [p, q, r] = triangle.coordinates;
+    apply_texture(scene, v0 * p + v1 * q + v2 * r, hit.depth, spread, point, [&](const Texture& texture) {
+        return texture_detail(texture, triangle.vertices, triangle.coordinates);
+    });
     return point;
 }
 
 /// Returns a point on a sphere: at the hit's depth along the pixel's ray.
 ShadedPoint on_sphere(const Scene& scene, const Sphere& sphere, const Hit& hit, const glm::dvec3& eye,
-                      const glm::dvec3& direction) {
+                      const glm::dvec3& direction, double spread) {
     ShadedPoint point;
     point.material = &scene.materials.at(sphere.material);
     point.colour = point.material->colour;
     point.position = eye + static_cast<double>(hit.depth) * glm::normalize(direction);
-    finish(point, eye, point.position - sphere.centre);
+    const glm::dvec3 outside = unit_or(point.position - sphere.centre, {0, 1, 0});
+    finish(point, eye, outside);
+    apply_texture(scene, octahedral_place(outside), hit.depth, spread, point,
+                  [&](const Texture& texture) { return texture_detail(texture, sphere); });
     return point;
 }
 
 /// Returns a point on a plane: the hit counts squares from the plane's point.
-ShadedPoint on_plane(const Scene& scene, const Plane& plane, const Hit& hit, const glm::dvec3& eye) {
+ShadedPoint on_plane(const Scene& scene, const Plane& plane, const Hit& hit, const glm::dvec3& eye,
+                     double spread) {
     ShadedPoint point;
     point.material = &scene.materials.at(plane.material);
     const bool is_other =
@@ -89,6 +100,9 @@ ShadedPoint on_plane(const Scene& scene, const Plane& plane, const Hit& hit, con
     point.position =
         plane.point + static_cast<double>(hit.u) * plane.u + static_cast<double>(hit.v) * plane.v;
     finish(point, eye, glm::cross(plane.u, plane.v));
+    const auto& [a, b, c] = plane.coordinates;
+    apply_texture(scene, a + double(hit.u) * (b - a) + double(hit.v) * (c - a), hit.depth, spread, point,
+                  [&](const Texture& texture) { return texture_detail(texture, plane); });
     return point;
 }
 
@@ -113,8 +127,8 @@ ShadedPoint surface_point(const Scene& scene, const InstancedTriangles* instance
     if (hit.primitive < triangles)
         return on_triangle(scene, triangle_of(scene, hit.primitive), hit, eye, spread);
     if (hit.primitive < triangles + spheres)
-        return on_sphere(scene, scene.spheres[hit.primitive - triangles], hit, eye, direction);
-    return on_plane(scene, scene.planes.at(hit.primitive - triangles - spheres), hit, eye);
+        return on_sphere(scene, scene.spheres[hit.primitive - triangles], hit, eye, direction, spread);
+    return on_plane(scene, scene.planes.at(hit.primitive - triangles - spheres), hit, eye, spread);
 }
 
 /// Phong 1975, "Illumination for computer generated pictures", in Haines' terms. It sums the ambient term and

@@ -81,9 +81,10 @@ void append(Scene& scene, const Scene& part, const glm::dmat4& place, std::optio
         return material ? *material : primitive.material + material_base;
     };
     for (const Sphere& s : part.spheres)
-        scene.spheres.push_back({moved(s.centre), s.radius * glm::length(linear[0]), material_of(s)});
+        scene.spheres.push_back({moved(s.centre), s.radius * glm::length(linear[0]), material_of(s),
+                                 linear / glm::length(linear[0]) * s.turn});
     for (const Plane& p : part.planes)
-        scene.planes.push_back({moved(p.point), linear * p.u, linear * p.v, material_of(p)});
+        scene.planes.push_back({moved(p.point), linear * p.u, linear * p.v, material_of(p), p.coordinates});
 }
 
 std::uint64_t primitive_count(const PlacedScene& scene) {

@@ -125,6 +125,12 @@ struct Judge {
             if (!(glm::length(glm::cross(unit_of(p.u), unit_of(p.v))) > 1e-9))
                 refuse(numbered("plane", i) + " has the sides " + text_of(p.u) + " and " + text_of(p.v) +
                        ", which are parallel");
+            for (const glm::dvec2& at : p.coordinates)
+                for (const double x : {at.x, at.y})
+                    if (!(std::abs(x) <= most_given_coordinate))
+                        refuse(numbered("plane", i) + " has the texture coordinate " + text_of(x) +
+                               ", which must lie within -" + text_of(most_given_coordinate) + " and " +
+                               text_of(most_given_coordinate));
             material_of("plane", i, p.material);
         }
     }
@@ -195,6 +201,23 @@ struct Growing {
 };
 
 }   // namespace
+
+std::optional<std::uint32_t> texture_of(const Scene& scene, std::size_t primitive) {
+    const auto of = [&](const auto& it) { return scene.materials[it.material].texture; };
+    if (primitive < scene.triangles.size())
+        return scene.coordinates.empty() ? std::nullopt : of(scene.triangles[primitive]);
+    primitive -= scene.triangles.size();
+    return primitive < scene.spheres.size() ? of(scene.spheres[primitive])
+                                            : of(scene.planes[primitive - scene.spheres.size()]);
+}
+
+bool shows_textures(const Scene& scene) {
+    const auto has_texture = [&](const auto& it) {
+        return it.material < scene.materials.size() && scene.materials[it.material].texture;
+    };
+    return !scene.coordinates.empty() || std::ranges::any_of(scene.spheres, has_texture) ||
+           std::ranges::any_of(scene.planes, has_texture);
+}
 
 Bounds bounds(const Scene& scene) {
     if (primitive_count(scene) == 0)

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -29,11 +30,11 @@ struct Material {
     glm::dvec3 other{0.2};
     /// Fresnel's term weights `mirror` and `transmit`, in the approximation of Schlick 1994.
     bool schlick = false;
-    /// Index into Scene::textures: the picture multiplies `colour` on triangles. Spheres and planes do not
-    /// show it; a loader gives them a material with the picture's average colour.
+    /// Index into Scene::textures: the picture multiplies the surface's colour. The picture on a sphere is
+    /// octahedral (octahedral_picture()); a loader gives spheres materials of their own.
     std::optional<std::uint32_t> texture{};
-    /// A triangle has a hole where its texture's alpha is below this. 0: no holes. Only finished pictures
-    /// show holes, and light passes through them.
+    /// A triangle has a hole where its texture's alpha is below this. 0: no holes. Spheres and planes have no
+    /// holes. Only finished pictures show holes, and light passes through them.
     double cutoff = 0;
 };
 
@@ -63,6 +64,9 @@ struct Sphere {
     glm::dvec3 centre{0};
     double radius = 1;
     std::uint32_t material = 0;
+    /// Turns the axes of a texture into those of the scene, before a loader makes it octahedral: the top of
+    /// the picture lies on turn[1], and its middle on turn[2].
+    glm::dmat3 turn{1};
 };
 
 /// The infinite plane of points point + s u + t v for all s and t. u and v, at right angles, are the sides of
@@ -71,6 +75,9 @@ struct Sphere {
 struct Plane {
     glm::dvec3 point{0}, u{1, 0, 0}, v{0, 0, -1};
     std::uint32_t material = 0;
+    /// (s, t) of a texture at point, point + u and point + v. By default the picture fills a square, with its
+    /// upper edge at point + v.
+    CornerCoordinates coordinates{{{0, 1}, {1, 1}, {0, 0}}};
 };
 
 /// A scene as given: double precision, scene units, without snapping. Every engine reports hits by a
@@ -96,6 +103,11 @@ struct Scene {
 inline std::size_t primitive_count(const Scene& scene) {
     return scene.triangles.size() + scene.spheres.size() + scene.planes.size();
 }
+
+/// Returns the number of the texture that a primitive shows, or nothing.
+std::optional<std::uint32_t> texture_of(const Scene& scene, std::size_t primitive);
+/// True if the scene has coordinates of triangles, or a sphere or plane shows a texture.
+bool shows_textures(const Scene& scene);
 
 /// Axis-aligned bounds of all vertices that triangles use, and of spheres. Planes are infinite and do not
 /// count. A scene with only planes has the bounds of 10 x 10 squares around the first plane's point.

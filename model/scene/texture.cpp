@@ -6,8 +6,11 @@
 #include <limits>
 #include <stdexcept>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
+#include <tbb/parallel_for.h>
 
 #include "model/scene/scene.hpp"
 
@@ -217,6 +220,66 @@ double texture_detail(const Scene& scene, std::uint32_t triangle) {
         scene.textures[*scene.materials[t.material].texture],
         {scene.vertices[t.vertex[0]], scene.vertices[t.vertex[1]], scene.vertices[t.vertex[2]]},
         scene.coordinates[triangle]);
+}
+
+double texture_detail(const Texture& texture, const Plane& plane) {
+    return texture_detail(texture, {plane.point, plane.point + plane.u, plane.point + plane.v},
+                          plane.coordinates);
+}
+
+double texture_detail(const Texture& texture, const Sphere& sphere) {
+    const TexelLevel& picture = texture.pyramid->levels.front();
+    constexpr double log2_of_4_pi = 3.6514961294723187;
+    return (std::log2(double(picture.width) * picture.height) - log2_of_4_pi) / 2 - std::log2(sphere.radius);
+}
+
+glm::dvec2 octahedral_place(const glm::dvec3& direction) {
+    const glm::dvec3 size = glm::abs(direction);
+    glm::dvec2 away = glm::dvec2(size.x, size.z) / (size.x + size.y + size.z);
+    if (direction.y < 0) away = {1 - away.y, 1 - away.x};
+    return {(1 + (direction.x < 0 ? -away.x : away.x)) / 2, (1 + (direction.z < 0 ? -away.y : away.y)) / 2};
+}
+
+glm::dvec3 octahedral_direction(const glm::dvec2& st) {
+    const glm::dvec2 from_middle = 2.0 * st - 1.0, away = glm::abs(from_middle);
+    const double y = 1 - away.x - away.y;
+    const glm::dvec2 size = y < 0 ? glm::dvec2(1 - away.y, 1 - away.x) : away;
+    return glm::normalize(
+        glm::dvec3(from_middle.x < 0 ? -size.x : size.x, y, from_middle.y < 0 ? -size.y : size.y));
+}
+
+int octahedral_side(const Texture& texture) {
+    const TexelLevel& picture = texture.pyramid->levels.front();
+    return std::max(picture.width / 2, picture.height);
+}
+
+Texture octahedral_picture(const Texture& texture, const glm::dmat3& turn) {
+    constexpr int places = 4;
+    constexpr double pi = 3.14159265358979323846;
+    Texture around = texture;   // a picture of longitude and latitude
+    around.wrap_s = Wrap::repeat, around.wrap_t = Wrap::clamp;
+    const int side = octahedral_side(texture);
+    TexelLevel out{side, side, {}};
+    out.texels.resize(std::size_t(side) * std::size_t(side));
+    const glm::dmat3 back = glm::transpose(turn);
+    tbb::parallel_for(0, side, [&](int row) {
+        for (int column = 0; column < side; ++column) {
+            TexelSum sum;
+            for (int i = 0; i < places * places; ++i) {
+                const glm::dvec2 place(column + (i % places + 0.5) / places,
+                                       row + (i / places + 0.5) / places);
+                const glm::dvec3 d = back * octahedral_direction(place / double(side));
+                const glm::dvec2 st(0.5 + std::atan2(d.x, d.z) / (2 * pi),
+                                    std::acos(std::clamp(d.y, -1.0, 1.0)) / pi);
+                const glm::dvec4 found = filtered_with_alpha(around, st, 0);
+                sum.add(glm::dvec3(found), 255 * found.a, 1);
+            }
+            out.texels[std::size_t(row) * std::size_t(side) + std::size_t(column)] = sum.texel(true);
+        }
+    });
+    around.wrap_s = Wrap::clamp;
+    around.pyramid = std::make_shared<const Pyramid>(make_pyramid(std::move(out)));
+    return around;
 }
 
 double sample_spread(double fov_degrees, int picture_height, int samples_per_side) {

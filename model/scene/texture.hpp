@@ -1,5 +1,5 @@
 #pragma once
-// Pictures on triangles: the texels with all their mip levels, and the texture unit's rules in double
+// Pictures on surfaces: the texels with all their mip levels, and the texture unit's rules in double
 // precision. t increases downwards from the top row of the picture, as in glTF. Texel i of a level of width W
 // covers s from i / W to (i + 1) / W.
 #include <array>
@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -15,6 +16,8 @@
 namespace rayclock {
 
 struct Scene;
+struct Plane;
+struct Sphere;
 
 /// The texel for a coordinate outside 0..1: the texel at s mod 1, the texel of the mirrored picture (period
 /// 2), or the nearest texel at the edge.
@@ -45,6 +48,10 @@ struct Texture {
 constexpr int most_texture_side = 4096;
 /// The largest |s| and |t| of a triangle's corner, after the shift by whole periods.
 constexpr double most_coordinate = 64;
+
+/// The largest |s| and |t| that a file may give, and those of a plane. Beyond it, a 32-bit float keeps too
+/// few digits of a texel.
+constexpr double most_given_coordinate = 1e6;
 
 /// The coordinates (s, t) of a triangle's three corners.
 using CornerCoordinates = std::array<glm::dvec2, 3>;
@@ -91,6 +98,27 @@ double texture_detail(const Texture& texture, const std::array<glm::dvec3, 3>& v
                       const CornerCoordinates& corners);
 /// Does the same for a triangle of a scene whose material has a texture.
 double texture_detail(const Scene& scene, std::uint32_t triangle);
+
+/// Returns the same for a plane, and for a sphere with an octahedral picture. A sphere has one number for its
+/// whole surface: log2 sqrt(texels / area). Its true density lies from 0.37 below to 0.83 above
+/// (docs/machine/shading.md).
+double texture_detail(const Texture& texture, const Plane& plane);
+double texture_detail(const Texture& texture, const Sphere& sphere);
+
+/// Returns the place (s, t) of a direction from a sphere's centre in an octahedral picture. The octahedron
+/// |x| + |y| + |z| = 1 is seen along y: its upper half fills the middle of the square, and its lower half is
+/// folded outwards to the corners (Meyer et al. 2010, "On floating-point normal vectors").
+glm::dvec2 octahedral_place(const glm::dvec3& direction);
+/// Returns the unit vector for a place in an octahedral picture.
+glm::dvec3 octahedral_direction(const glm::dvec2& st);
+/// Returns the side of the octahedral picture for a picture of longitude and latitude: the power of two
+/// nearest to half its width, or to its height if that is more. The equator then has as many texels as the
+/// picture's width.
+int octahedral_side(const Texture& texture);
+/// Turns a picture of longitude (s; the middle is +z, and s increases towards +x) and latitude (the top is
+/// +y) into an octahedral picture. A texel is the mean of the picture at 4 x 4 places in the texel's area,
+/// filtered as `texture.nearest` says, in linear light. `turn`: Sphere::turn. The result clamps at its edges.
+Texture octahedral_picture(const Texture& texture, const glm::dmat3& turn);
 
 /// Returns the angle between the rays of neighbouring samples: 2 tan(fov / 2) / picture height / samples per
 /// side.

@@ -79,7 +79,7 @@ class Config:
     supersampling: bool
     """Units that only some scenes need: 1: several samples in a pixel."""
     textures: bool
-    """Units that only some scenes need: 1: image textures on triangles."""
+    """Units that only some scenes need: 1: image textures."""
     texels: str
     """Units that only some scenes need: format of texels: rgb888 with 8 bits of alpha, rgb565 with one bit."""
     lights: int

@@ -2,6 +2,7 @@
 #include "sim/load/textures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -67,10 +68,12 @@ public:
         settle(own, {}, true, "");
         settle_meshes();
         copy_painted_meshes();
-        for (auto& sphere : own.spheres) settle_round(sphere, "sphere");
-        for (auto& plane : own.planes) settle_round(plane, "plane");
+        for (Sphere& sphere : own.spheres) settle_sphere(sphere);
+        for (const Plane& plane : own.planes) settle_plane(plane);
         if (shows_any_)
             fill_gaps();
+        else if (shows_round_)
+            drop_coordinates(scene_);
         else
             clear();
         warnings_.say(loading_);
@@ -188,10 +191,36 @@ private:
         deforming.push_back(std::move(same));
     }
 
-    template <class Round> void settle_round(Round& primitive, const char* what) {
-        if (!has_texture(primitive.material)) return;
-        warnings_.count(what, "with a texture, drawn in the texture's average colour");
-        primitive.material = plain_.of(primitive.material);
+    static constexpr const char* without_holes =
+        "with a cut-off, drawn without holes; only triangles have holes";
+
+    void settle_plane(const Plane& plane) {
+        if (!has_texture(plane.material)) return;
+        shows_round_ = true;
+        if (scene_.own.materials[plane.material].cutoff > 0) warnings_.count("plane", without_holes);
+    }
+
+    /// Gives the sphere a material with an octahedral picture. Spheres that are turned alike share it.
+    void settle_sphere(Sphere& sphere) {
+        if (!has_texture(sphere.material)) return;
+        shows_round_ = true;
+        if (scene_.own.materials[sphere.material].cutoff > 0) warnings_.count("sphere", without_holes);
+        std::array<double, 9> turn{};
+        for (int i = 0; i < 9; ++i) turn[std::size_t(i)] = sphere.turn[i / 3][i % 3];
+        const auto [found, is_new] = round_.try_emplace({sphere.material, turn});
+        if (is_new) {
+            const Texture& flat = texture_of(sphere.material);
+            const auto side = std::uint64_t(octahedral_side(flat));
+            if (!loading_.may_make(2 * side * side * sizeof(TexelLevel::texels[0])))
+                throw UserError(where_ + ": " + loading_.too_much());
+            Texture round = octahedral_picture(flat, sphere.turn);
+            Material material = scene_.own.materials[sphere.material];
+            material.texture = static_cast<std::uint32_t>(scene_.own.textures.size());
+            found->second = static_cast<std::uint32_t>(scene_.own.materials.size());
+            scene_.own.textures.push_back(std::move(round));
+            scene_.own.materials.push_back(std::move(material));
+        }
+        sphere.material = found->second;
     }
 
     /// Fills in coordinates for meshes without them, because the flat scene has one entry per triangle.
@@ -211,7 +240,9 @@ private:
     Loading& loading_;
     AverageMaterials plain_;
     Warnings warnings_;
-    bool shows_any_ = false;
+    bool shows_any_ = false;     // a triangle shows a texture
+    bool shows_round_ = false;   // a sphere or plane does
+    std::map<std::pair<std::uint32_t, std::array<double, 9>>, std::uint32_t> round_;   // materials of spheres
 };
 
 static_assert(Wrap::repeat < Wrap::mirror && Wrap::mirror < Wrap::clamp);

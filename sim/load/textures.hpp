@@ -11,9 +11,6 @@
 
 namespace rayclock {
 
-/// The largest |s| and |t| that a file may give. Beyond it, a 32-bit float keeps too few digits of a texel.
-constexpr double most_given_coordinate = 1e6;
-
 /// Returns the sentence that explains why a triangle cannot be drawn with a texture, or an empty string.
 /// `corners`: the coordinates as in the file.
 std::string coordinate_fault(const Texture& texture, const CornerCoordinates& corners);
@@ -64,8 +61,8 @@ private:
 };
 
 /// Completes the textures of a loaded scene. Shifts the coordinates of each textured triangle close to 0.
-/// Triangles without coordinates, spheres and planes get the average colour of their texture. Removes all
-/// coordinates and textures if no triangle shows a texture, for example if the load averages textures.
+/// Triangles without coordinates get the average colour of their texture. Spheres get octahedral pictures.
+/// Removes all coordinates and textures that no primitive shows, for example if the load averages textures.
 /// `where` begins the notes. Throws UserError if the coordinates of a triangle span too much.
 void settle_textures(PlacedScene& scene, const std::string& where, Loading& loading);
 

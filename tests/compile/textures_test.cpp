@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
 #include "model/base/error.hpp"
 #include "model/compile/compile.hpp"
 #include "model/compile/surfaces.hpp"
@@ -299,6 +301,61 @@ TEST_CASE("a record holds the nearest numbers to a triangle's coordinates and de
     CHECK(inside >= 250);
     CHECK(record_of(scene, lattice, config, 0, 0).density == -8191);
     CHECK(record_of(scene, lattice, config, 1, 0).density == -8191);
+}
+
+TEST_CASE("a plane's record follows the coordinates of its squares, or shows the last level", "[textures]") {
+    const Config config = tex_config("planes");
+    Draw draw{17};
+    Lattice lattice;
+    lattice.coord_bits = config.coord_bits, lattice.pitch = glm::dvec3(std::exp2(-10));   // it reaches 128
+    int kept = 0, averaged = 0;
+    for (int i = 0; i < 400; ++i) {
+        Scene scene;
+        const Wrap wrap = wraps[std::size_t(draw.below(3))];
+        scene.textures.push_back({"", random_pyramid(draw, 16, 4), wrap, wrap, false, draw.coin()});
+        scene.materials.emplace_back().texture = 0;
+        Plane plane;
+        const double size = std::exp2(draw.between(-9, 9));
+        plane.point = {draw.between(-100, 100), draw.between(-5, 5), draw.between(-100, 100)};
+        plane.u *= size, plane.v *= size;
+        if (draw.coin()) plane.coordinates = {{{0.5, 0.25}, {2.5, 0.25}, {0.5, 4.25}}};
+        scene.planes.push_back(plane);
+        const TexRecord record = record_of(scene, lattice, config, 0, 5);
+        const Surface surface = surface_of(scene, lattice, config, 0);
+        INFO("plane " << i << ", squares of " << size);
+        // The coordinates of a corner of the surface: x counts squares along u, and -z those along v.
+        const auto at = [&](const Vec3i& corner) {
+            const double u = (corner[0] * lattice.pitch.x - plane.point.x) / size,
+                         v = (plane.point.z - corner[2] * lattice.pitch.z) / size;
+            const auto& c = plane.coordinates;
+            return c[0] + u * (c[1] - c[0]) + v * (c[2] - c[0]);
+        };
+        const std::array<glm::dvec2, 3> corners{at(surface.a), at(surface.b), at(surface.c)};
+        const double longest =
+                         std::max(glm::length(corners[1] - corners[0]), glm::length(corners[2] - corners[0])),
+                     first = std::max(std::abs(corners[0].x), std::abs(corners[0].y));
+        const bool fits = longest <= 60 && (wrap != Wrap::clamp || first + longest <= 60);
+        if (longest > 130 || (wrap == Wrap::clamp && first > 70 + longest)) {
+            REQUIRE((record.s == std::array<std::int32_t, 3>{} && record.t == record.s));
+            REQUIRE((record.density == 8191 && record.last_level == 4));
+            ++averaged;
+        } else if (fits) {
+            const double period = wrap == Wrap::repeat ? 1 : 2;
+            for (int axis = 0; axis < 2; ++axis) {
+                const auto& held = axis == 0 ? record.s : record.t;
+                double shift = corners[0][axis] - std::ldexp(held[0], -coordinate_frac);
+                if (wrap != Wrap::clamp) shift -= period * std::round(shift / period);
+                REQUIRE(std::abs(shift) < 1e-6);
+                for (std::size_t k = 1; k < 3; ++k)
+                    REQUIRE(std::abs(std::ldexp(held[k] - held[0], -coordinate_frac) -
+                                     (corners[k][axis] - corners[0][axis])) < 1e-6);
+            }
+            REQUIRE(record.last_level == (scene.textures[0].mipmaps ? 4 : 0));
+            ++kept;
+        }
+    }
+    CAPTURE(kept, averaged);
+    CHECK((kept > 150 && averaged > 50));
 }
 
 TEST_CASE("the register for the spread of samples holds the nearest number", "[textures]") {

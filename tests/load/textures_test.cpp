@@ -1,5 +1,7 @@
 // Textures from files: coordinates in OBJ, glTF and JSON, samplers, transforms, missing or invalid pictures,
 // and --no-textures.
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <catch2/catch.hpp>
@@ -390,7 +392,7 @@ TEST_CASE("json: a material's texture, in short and with all keys") {
     CHECK(glm::length(plain.material().colour - glm::dvec3(0.5, 0.25, 0.5)) < 1e-6);
 }
 
-TEST_CASE("json: spheres, planes and meshes without coordinates have the average colour") {
+TEST_CASE("json: spheres and planes show their pictures, and meshes without coordinates their average") {
     Json document = inline_json();
     document["spheres"] = {{{"centre", {0, 0, 0}}, {"radius", 1}, {"material", "m"}}};
     document["planes"] = {{{"point", {0, 0, 0}}, {"u", {1, 0, 0}}, {"v", {0, 0, 1}}, {"material", "m"}}};
@@ -399,13 +401,127 @@ TEST_CASE("json: spheres, planes and meshes without coordinates have the average
     const Read made = json(document);
     const Scene& scene = made.scene;
     CHECK(scene.materials[scene.triangles[0].material].texture);
-    const Material& plain = scene.materials[scene.spheres[0].material];
+    const Material& plain = scene.materials[scene.triangles[1].material];
     CHECK_FALSE(plain.texture);
     CHECK(glm::length(plain.colour - glm::dvec3(0.5, 0.25, 0.5)) < 1e-12);
-    CHECK(scene.planes[0].material == scene.spheres[0].material);
-    CHECK(scene.triangles[1].material == scene.spheres[0].material);
+    CHECK(scene.planes[0].material == scene.triangles[0].material);
+    const Material& round = scene.materials[scene.spheres[0].material];
+    REQUIRE(round.texture);
+    CHECK(scene.textures[*round.texture].wrap_s == Wrap::clamp);
     CHECK(scene.coordinates.size() == 81);
-    CHECK(made.notes.size() == 3);
+    CHECK(made.notes.size() == 1);
+}
+
+namespace {
+
+/// A sphere and a plane of material "m", without meshes.
+Json round_json(const Json& texture) {
+    Json document;
+    document["materials"]["m"] = {{"colour", {1, 1, 1}}, {"texture", texture}};
+    document["spheres"] = {{{"centre", {0, 0, 0}}, {"radius", 1}, {"material", "m"}}};
+    document["planes"] = {{{"point", {0, -1, 0}}, {"u", {1, 0, 0}}, {"v", {0, 0, -1}}, {"material", "m"}}};
+    return document;
+}
+glm::dvec3 colour_at(const Scene& scene, const glm::dvec3& direction) {
+    const Texture& texture = scene.textures[*scene.materials[scene.spheres[0].material].texture];
+    return filtered(texture, octahedral_place(glm::normalize(direction)), 0);
+}
+
+}   // namespace
+
+TEST_CASE("json: the middle of a sphere's picture lies on +z, its top on +y, and it runs to +x") {
+    // Four columns of longitude: black, red, green, blue.
+    Json texture{{"pattern", "checker"}, {"size", {256, 128}}, {"columns", 4}, {"rows", 1}};
+    texture["colours"] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    Json document = round_json(texture);
+    Scene scene = json(document).scene;
+    CHECK(scene.coordinates.empty());
+    CHECK(colour_at(scene, {-0.3, 0.1, -1}) == glm::dvec3(0, 0, 0));   // s from 0 to 1/4
+    CHECK(colour_at(scene, {-1, 0.1, 0.3}) == glm::dvec3(1, 0, 0));
+    CHECK(colour_at(scene, {0.3, -0.1, 1}) == glm::dvec3(0, 1, 0));
+    CHECK(colour_at(scene, {1, 0.1, -0.3}) == glm::dvec3(0, 0, 1));
+    document["spheres"][0]["rotate"] = {{"axis", {0, 1, 0}}, {"degrees", 90}};   // +z to +x
+    scene = json(document).scene;
+    CHECK(colour_at(scene, {1, -0.1, -0.3}) == glm::dvec3(0, 1, 0));
+    texture = {{"pattern", "gradient"}, {"size", {4, 64}}, {"colours", {{1, 0, 0}, {0, 0, 1}}}};
+    scene = json(round_json(texture)).scene;
+    CHECK(colour_at(scene, {0, 1, 0}).r > 0.9);
+    CHECK(colour_at(scene, {0, -1, 0}).b > 0.9);
+}
+
+TEST_CASE("json: patterns are painted by their formulas") {
+    const auto picture = [](const Json& texture) {
+        const Scene scene = json(round_json(texture)).scene;
+        return scene.textures[*scene.materials[scene.planes[0].material].texture].pyramid->levels[0];
+    };
+    const auto is = [](const TexelLevel& level, int x, int y, std::array<std::uint8_t, 4> wanted) {
+        return level.texels[std::size_t(y * level.width + x)] == wanted;
+    };
+    const Json two{{1, 1, 1}, {0, 0, 0}};
+    const std::array<std::uint8_t, 4> white{255, 255, 255, 255}, black{0, 0, 0, 255};
+    TexelLevel level = picture({{"pattern", "checker"}, {"size", 8}, {"colours", two}});
+    CHECK((level.width == 8 && level.height == 8));
+    CHECK((is(level, 0, 0, white) && is(level, 4, 3, black) && is(level, 3, 4, black) &&
+           is(level, 7, 7, white)));
+    level = picture({{"pattern", "bricks"},
+                     {"size", 64},
+                     {"columns", 2},
+                     {"rows", 4},
+                     {"joint", 0.25},
+                     {"colours", two}});
+    CHECK((is(level, 20, 3, black) && is(level, 20, 4, white)));    // a joint of 4 rows of texels
+    CHECK((is(level, 3, 8, black) && is(level, 4, 8, white)));      // and of 4 columns
+    CHECK((is(level, 3, 24, white) && is(level, 16, 24, black)));   // the next row is shifted by half a brick
+    level = picture({{"pattern", "gradient"}, {"size", {1, 4}}, {"colours", two}});
+    for (int y = 0; y < 4; ++y) {
+        const std::uint8_t code = linear_to_srgb(1 - (y + 0.5) / 4);
+        CHECK(is(level, 0, y, {code, code, code, 255}));
+    }
+    const Json noise{{"pattern", "noise"}, {"size", 32}, {"colours", two}, {"seed", 5}};
+    level = picture(noise);
+    CHECK(level.texels == picture(noise).texels);
+    Json other = noise;
+    other["seed"] = 6;
+    CHECK(level.texels != picture(other).texels);
+    CHECK(std::ranges::count(level.texels, white) >= 1);   // stretched to both ends
+    CHECK(std::ranges::count(level.texels, black) >= 1);
+    // Without a seam: the first and last column differ no more than neighbours do.
+    const auto step = [&](int x) {
+        int most = 0;
+        for (int y = 0; y < 32; ++y)
+            most = std::max(most, std::abs(int(level.texels[std::size_t(32 * y + x)][0]) -
+                                           int(level.texels[std::size_t(32 * y + (x + 1) % 32)][0])));
+        return most;
+    };
+    int most_inside = 0;
+    for (int x = 0; x < 31; ++x) most_inside = std::max(most_inside, step(x));
+    CHECK(step(31) <= most_inside);
+}
+
+TEST_CASE("json: a pattern with a fault is refused in one sentence") {
+    const auto refused = [](const Json& texture, const char* sentence) {
+        CHECK_THROWS_WITH(json(round_json(texture)), Contains(sentence));
+    };
+    refused({{"pattern", "stripes"}}, "must be \"checker\", \"bricks\", \"gradient\" or \"noise\"");
+    refused({{"pattern", "checker"}, {"file", "p.png"}}, "has both 'file' and 'pattern'");
+    refused({{"pattern", "checker"}, {"size", 100}}, "must be a power of two from 1 to 4096, not 100");
+    refused({{"pattern", "checker"}, {"joint", 0.1}}, "joint");
+    refused({{"pattern", "bricks"}, {"colours", {{1, 1, 1}}}}, "must be a list of 2 colours");
+    refused({{"pattern", "noise"}, {"octaves", 9}}, "must be a whole number from 1 to 8, not 9");
+    refused({{"pattern", "noise"}, {"octaves", 8}, {"columns", 33}}, "from 1 to 32");
+    Json document = round_json({{"pattern", "checker"}});
+    document["planes"][0]["coordinates"] = {{0, 0}, {1e7, 0}, {0, 1}};
+    CHECK_THROWS_WITH(json(document), Contains("must be within -1000000 and 1000000"));
+    document["planes"][0]["coordinates"] = {{0, 0}, {2, 0}};
+    CHECK_THROWS_WITH(json(document), Contains("must be 3 points [s, t], at point, point + u and point + v"));
+}
+
+TEST_CASE("json: spheres and planes have no holes, and a warning says so") {
+    Json document = round_json({{"pattern", "checker"}});
+    document["materials"]["m"]["cutoff"] = 0.5;
+    const Read made = json(document);
+    REQUIRE(made.notes.size() == 2);
+    CHECK_THAT(made.notes[0], Contains("without holes"));
 }
 
 TEST_CASE("json: the room as a mesh keeps its textures, in their own numbering") {

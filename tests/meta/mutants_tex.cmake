@@ -14,8 +14,8 @@ mutant(tex_model_clamp_at_one FILE ${tex_model} TEST unit ${tex_model_case}
   OLD [[(x, 0, one_picture - 1)]]
   NEW [[(x, 0, one_picture)]])
 mutant(tex_model_coordinate_rounded_to_nearest FILE ${tex_model} TEST unit ${tex_model_case}
-  OLD [[((hit.u * along_u + hit.v * along_v) >> c.bary_bits)]]
-  NEW [[((hit.u * along_u + hit.v * along_v + (std::int64_t(1) << (c.bary_bits - 1))) >> c.bary_bits)]])
+  OLD [[weight_of(hit.v, c) * along_v) >> c.bary_bits)]]
+  NEW [[weight_of(hit.v, c) * along_v + (std::int64_t(1) << (c.bary_bits - 1))) >> c.bary_bits)]])
 mutant(tex_model_half_texel_missing FILE ${tex_model} TEST unit ${tex_model_case}
   OLD [[place - (1 << (texel_frac - 1))]]
   NEW [[place]])
@@ -164,11 +164,11 @@ mutant(tex_model_cutouts_do_not_stop FILE model/unit/list/ray_tests.hpp WITH tes
 
 # ---- The model of shade.
 mutant(tex_model_path_adds_t_twice FILE model/unit/shade/surf.cpp TEST unit ${path_cases}
-  OLD [[(length * in.hit.t >> length_bits)]]
-  NEW [[(2 * length * in.hit.t >> length_bits)]])
+  OLD [[length = size * in.hit.t >> length_bits;]]
+  NEW [[length = 2 * size * in.hit.t >> length_bits;]])
 mutant(tex_model_path_wraps FILE model/unit/shade/surf.cpp TEST unit ${path_cases}
-  OLD [[std::min<std::uint64_t>(path, (1u << c.t_bits()) - 1)]]
-  NEW [[path & ((1u << c.t_bits()) - 1)]])
+  OLD [[std::min<std::uint64_t>(in.state.path + length, (std::uint64_t(1) << c.path_bits()) - 1)]]
+  NEW [[(in.state.path + length) & ((std::uint64_t(1) << c.path_bits()) - 1)]])
 mutant(tex_model_path_goes_on_in_the_next_sample QUICK FILE model/unit/shade/pass.cpp TEST unit ${path_cases}
   OLD [[s.depth = 0, s.cell = 0, s.path = 0, s.holes = 0;]]
   NEW [[s.depth = 0, s.cell = 0, s.holes = 0;]])
@@ -223,8 +223,8 @@ mutant(simulate_tex_corners_swapped FILE model/compile/textures.cpp TEST simulat
   OLD [[std::ldexp(corners[k].y, coordinate_frac)]]
   NEW [[std::ldexp(corners[(3 - k) % 3].y, coordinate_frac)]])
 mutant(simulate_tex_path_of_the_last_ray FILE model/unit/shade/surf.cpp TEST simulate "room --depth 2"
-  OLD [[in.state.path + (length]]
-  NEW [[(length]])
+  OLD [[in.state.path + length,]]
+  NEW [[length,]])
 mutant(simulate_tex_alpha_of_the_neighbour FILE ${tex_model} TEST simulate "room --depth 1"
   OLD [[return corner[i].alpha; }]]
   NEW [[return corner[i ^ 1].alpha; }]])
@@ -380,8 +380,8 @@ mutant(tex_path_without_a_sixteenth FILE rtl/unit/shade/rc_path_length.sv TEST u
   OLD [[ + {6'b0, shortest[M-1:4]};]]
   NEW [[;]])
 mutant(tex_path_wraps FILE rtl/unit/shade/rc_path_length.sv TEST unit [pass][path]
-  OLD [[!= '0 ? '1 : s2_sum[TBits-1:0];]]
-  NEW [[!= '0 ? s2_sum[TBits-1:0] : s2_sum[TBits-1:0];]])
+  OLD [[!= '0 ? '1 : s2_sum[PathBits-1:0];]]
+  NEW [[!= '0 ? s2_sum[PathBits-1:0] : s2_sum[PathBits-1:0];]])
 mutant(tex_path_goes_on_in_the_next_sample FILE rtl/unit/shade/rc_pass_end.sv TEST unit ${shade_rtl_case}
   OLD [[if (is_next)      textured.path       = '0;]]
   NEW [[;]])
@@ -492,3 +492,86 @@ mutant(tex_scale_of_the_instance_lost FILE rtl/unit/shade/rc_shade.sv TEST syste
   "model and RTL agree on textured instances with holes"
   OLD [[assign place_data.texel_scale = instance_came.texel_scale;]]
   NEW [[assign place_data.texel_scale = '0;]])
+
+# ---- Planes and spheres: the model.
+set(globe "scenes/globe.json --depth 2")
+mutant(tex_model_plane_unsigned QUICK FILE ${tex_model} TEST unit ${tex_model_case}
+  OLD [[c.planes && x >= half ?]]
+  NEW [[c.planes && x >= 2 * half ?]])
+mutant(tex_model_plane_without_ends FILE ${tex_model} TEST unit ${tex_model_case}
+  OLD [[is_saturated(hit, config) ? record.last_level :]]
+  NEW [[hit.u + hit.v == 0x12345 ? record.last_level :]])
+mutant(tex_model_octahedral_without_one FILE model/unit/shade/surf.cpp TEST unit [octahedral]
+  OLD [[std::int64_t sum = 1;]]
+  NEW [[std::int64_t sum = 0;]])
+mutant(tex_model_octahedral_not_folded QUICK FILE model/unit/shade/surf.cpp TEST unit [octahedral]
+  OLD [[if (n[1] < 0) {
+        p = half - p, q = half - q;]]
+  NEW [[if (n[1] < 0) {]])
+mutant(tex_model_far_path_from_the_middle FILE model/unit/shade/surf.cpp TEST unit [pass][textures]~[lockstep]
+  OLD [[way[k] = state.o[k] - in.o[k];]]
+  NEW [[way[k] = state.o[k];]])
+mutant(tex_model_pattern_repeats_with_a_seam FILE model/scene/pattern.cpp TEST load "json: patterns*"
+  OLD [[std::size_t(column % columns_)]]
+  NEW [[std::size_t(std::min(column, columns_ - 1))]])
+mutant(tex_model_bricks_not_shifted FILE model/scene/pattern.cpp TEST load "json: patterns*"
+  OLD [[(row % 2 != 0 ? 0.5 : 0)]]
+  NEW [[(row % 2 != 0 ? 0.0 : 0)]])
+mutant(tex_model_longitude_runs_backwards FILE model/scene/texture.cpp
+  TEST load "json: the middle of a sphere*"
+  OLD [[0.5 + std::atan2(d.x, d.z)]]
+  NEW [[0.5 - std::atan2(d.x, d.z)]])
+
+# ---- Planes and spheres: faults of the model that `rayclock simulate` alone must report as bugs.
+mutant(simulate_tex_plane_corners_swapped FILE model/compile/plane.cpp TEST simulate ${globe}
+  OLD [[corners[1] = corners[0] + step[0], corners[2] = corners[0] + step[1];]]
+  NEW [[corners[1] = corners[0] + step[1], corners[2] = corners[0] + step[0];]])
+mutant(simulate_tex_plane_from_its_own_point FILE model/compile/plane.cpp TEST simulate ${globe}
+  OLD [[corners[0] += on.at[i] * step[i];]]
+  NEW [[corners[0] += 0.3 * step[i];]])
+mutant(simulate_tex_far_path_saturates FILE model/unit/shade/surf.cpp TEST simulate "${globe} --size 200x150"
+  OLD [[c.planes && PrimKind(in.surface.kind) == PrimKind::plane &&]]
+  NEW [[c.planes && PrimKind(in.surface.kind) == PrimKind::sphere &&]])
+mutant(simulate_tex_sphere_axes_swapped FILE model/unit/shade/surf.cpp TEST simulate ${globe}
+  OLD [[half * std::abs(n[0]) / sum, q = half * std::abs(n[2]) / sum;]]
+  NEW [[half * std::abs(n[2]) / sum, q = half * std::abs(n[0]) / sum;]])
+mutant(simulate_tex_sphere_as_the_viewer_sees_it FILE model/unit/shade/pass.cpp TEST simulate ${globe}
+  OLD [[    if (s.round) {]]
+  NEW [[    if (s.round && s.normal[0] > 0) {]])
+mutant(simulate_tex_sphere_density_of_a_disc FILE model/scene/texture.cpp TEST simulate ${globe}
+  OLD [[log2_of_4_pi = 3.6514961294723187;]]
+  NEW [[log2_of_4_pi = 1.6514961294723187;]])
+
+# ---- Planes and spheres: the RTL.
+mutant(tex_plane_unsigned QUICK FILE ${tex_address} TEST unit ${tex_rtl_case}
+  OLD [[$signed({Planes && s1_v_q[UvBits-1], s1_v_q})]]
+  NEW [[$signed({1'b0, s1_v_q})]])
+mutant(tex_plane_without_ends FILE ${tex_address} TEST unit ${tex_rtl_case}
+  OLD [[s2_ends ? s2_last_q : s2_rounded]]
+  NEW [[s2_ends && 1'b0 ? s2_last_q : s2_rounded]])
+mutant(tex_plane_sum_too_narrow FILE ${tex_address} TEST unit ${tex_rtl_case}
+  OLD [[(Planes ? rc_pkg::PlaneBits : 0)]]
+  NEW [[(Planes ? rc_pkg::PlaneBits - 4 : 0)]])
+mutant(tex_octahedral_not_folded QUICK FILE rtl/unit/shade/rc_octahedral.sv TEST unit ${shade_rtl_case}
+  OLD [[below[1] ? Half - q : p;]]
+  NEW [[below[1] ? Half - p : p;]])
+mutant(tex_octahedral_signs_of_the_next_pass FILE rtl/unit/shade/rc_octahedral.sv TEST unit ${shade_rtl_case}
+  OLD [[.Width(3), .Stages(Steps)) u_below (
+    .clk_i, .enable_i({Steps{1'b1}}),]]
+  NEW [[.Width(3), .Stages(Steps - 1)) u_below (
+    .clk_i, .enable_i({(Steps-1){1'b1}}),]])
+mutant(tex_octahedral_without_one FILE rtl/unit/shade/rc_octahedral.sv TEST unit ${shade_rtl_case}
+  OLD [[+ Width'(1);]]
+  NEW [[+ Width'(0);]])
+mutant(tex_octahedral_normal_inwards FILE rtl/unit/shade/rc_pass.sv TEST unit ${shade_rtl_case}
+  OLD [[.data_i(known.is_inside),]]
+  NEW [[.data_i(known.is_inside && 1'b0),]])
+mutant(tex_sphere_without_its_place FILE ${pass_end} TEST unit ${shade_rtl_case}
+  OLD [[request.v = begin_state_i.is_round ? round_v_i : v_i;]]
+  NEW [[request.v = begin_state_i.is_round && 1'b0 ? round_v_i : v_i;]])
+mutant(tex_far_path_never FILE rtl/unit/shade/rc_pass.sv TEST unit ${shade_rtl_case}
+  OLD [[end_far ? far_path : near_path;]]
+  NEW [[end_far && 1'b0 ? far_path : near_path;]])
+mutant(tex_far_path_without_a_sixteenth FILE rtl/unit/shade/rc_far_path.sv TEST unit ${shade_rtl_case}
+  OLD [[+ LengthW'(shortest[SizeW-1:4]);]]
+  NEW [[;]])

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "model/scene/texture.hpp"
+#include "model/unit/shade/surf.hpp"
 #include "sim/run/rtl/rtl_module.hpp"
 #include "tests/support/cases/pass_cases.hpp"
 
@@ -271,8 +273,10 @@ TEST_CASE("a path is as long as its rays together, rounded down and saturated", 
         in.state.next_event = std::uint32_t(ShadeEvent::arrive), in.hit.found = 1;
         if (draw.percent(10)) in.d[std::size_t(draw.below(3))] = -(1 << (c.dir_bits - 1));
         if (draw.percent(20)) in.d = random_corner_direction(draw, c);
+        if (PrimKind(in.surface.kind) == PrimKind::plane) in.hit.t >>= 1;   // not too far away for t
+        if (draw.percent(5)) in.state.path = std::uint32_t((std::uint64_t(1) << c.path_bits()) - 1);
         const auto [length, wanted] = wanted_path(in.state.path, in.d, in.hit.t, c);
-        const std::int64_t most = (std::int64_t(1) << c.t_bits()) - 1;
+        const std::int64_t most = (std::int64_t(1) << c.path_bits()) - 1;
         REQUIRE(std::int64_t(pass(in, frame, c).state.path) == std::min(wanted, most));
         saturated += wanted > most, longer += length > 128;
         // At (1, 3/8, 5/16) the estimate is largest, sqrt(1 + 9/64 + 25/256) times the length. Along a
@@ -295,14 +299,14 @@ TEST_CASE("the rtl computes the exact length of a path in three cycles, one path
     std::array<std::optional<std::int64_t>, 4> path{};   // their results
     int checked = 0;
     for (int cycle = 0; cycle < 40000; ++cycle) {
-        const auto before = std::uint32_t(draw.natural(c.t_bits())),
+        const auto before = std::uint32_t(draw.natural(c.path_bits())),
                    t = std::uint32_t(draw.natural(c.t_bits()));
         const Vec3i d = draw.percent(30) ? random_corner_direction(draw, c) : draw.vector(c.dir_bits);
         std::shift_right(valid.begin(), valid.end(), 1), std::shift_right(path.begin(), path.end(), 1);
         valid[0] = cycle % 2000 < 1000 || draw.coin();
         path[0].reset();
         if (valid[0])
-            path[0] = std::min(wanted_path(before, d, t, c).second, (std::int64_t(1) << c.t_bits()) - 1);
+            path[0] = std::min(wanted_path(before, d, t, c).second, (std::int64_t(1) << c.path_bits()) - 1);
         put(rtl, "valid",
             std::uint32_t(valid[0]) | std::uint32_t(valid[1]) << 1 | std::uint32_t(valid[2]) << 2);
         put(rtl, "s1_phase", 1);
@@ -317,6 +321,62 @@ TEST_CASE("the rtl computes the exact length of a path in three cycles, one path
         rtl.clock();
     }
     CHECK(checked > 20000);
+}
+
+TEST_CASE("the path to a plane too far away for t is the way to its point", "[pass][textures]") {
+    const Config c = shaded_format(GENERATE("textured:all", "textured:narrow", "textured:short"));
+    Draw draw{31};
+    int long_ones = 0;
+    for (int i = 0; i < 20000; ++i) {
+        PassIn in = random_pass(draw, Frame{}, c);
+        in.state.next_event = std::uint32_t(ShadeEvent::arrive), in.hit.found = 1;
+        in.surface.kind = std::uint32_t(PrimKind::plane), in.surface.smooth = 0;
+        in.hit.t = (1u << c.t_bits()) - 1;
+        const ShadeState s = pass(in, Frame{}, c).state;
+        std::array<std::int64_t, 3> size{};
+        for (std::size_t k = 0; k < 3; ++k) size[k] = std::abs(s.o[k] - in.o[k]);
+        std::sort(size.begin(), size.end());
+        const std::int64_t length = size[2] + size[1] / 4 + size[1] / 8 + size[0] / 4 + size[0] / 16,
+                           wanted = in.state.path + (length * (1 << c.t_frac_bits)) / (1 << c.origin_bits),
+                           most = (std::int64_t(1) << std::min(c.t_bits() + 6, 32)) - 1;
+        REQUIRE(std::int64_t(s.path) == std::min(wanted, most));
+        long_ones += wanted > (std::int64_t(1) << c.t_bits());
+    }
+    CHECK(long_ones > 2000);
+}
+
+TEST_CASE("a sphere's request has the place of its outward normal in the octahedral picture",
+          "[pass][textures][octahedral]") {
+    const Config c = shaded_format(GENERATE("textured:all", "textured:narrow", "textured:short"));
+    Draw draw{37};
+    int lower = 0, inside = 0, edges = 0;
+    for (int i = 0; i < 100000; ++i) {
+        ShadeState s;
+        Vec3l toward{};
+        for (auto& x : toward) x = draw.percent(15) ? 0 : draw.number(draw.between(2, 40));
+        if (toward == Vec3l{}) continue;
+        s.normal = unit_vector(toward), s.inside = draw.percent(25);
+        const auto [u, v] = octahedral(s, c);
+        std::array<std::int64_t, 3> n{};
+        for (std::size_t k = 0; k < 3; ++k) n[k] = s.inside ? -s.normal[k] : s.normal[k];
+        const std::int64_t sum = std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]) + 1,
+                           half = std::int64_t(1) << (c.bary_bits - 1);
+        // From the middle, in exact fractions rounded down: x and z of the octahedron, or what the other one
+        // leaves to 1 in the lower half.
+        const std::int64_t x = half * std::abs(n[0]) / sum, z = half * std::abs(n[2]) / sum;
+        const std::int64_t across = n[1] < 0 ? half - z : x, down = n[1] < 0 ? half - x : z;
+        REQUIRE(std::int64_t(u) == half + (n[0] < 0 ? -across : across));
+        REQUIRE(std::int64_t(v) == half + (n[2] < 0 ? -down : down));
+        lower += n[1] < 0, inside += s.inside != 0, edges += across == half || down == half;
+        // The direction of that place is the normal, within the steps of u and v.
+        const glm::dvec2 place = glm::dvec2(u, v) / double(2 * half);
+        const glm::dvec3 out = glm::normalize(glm::dvec3(n[0], n[1], n[2]));
+        REQUIRE(glm::length(octahedral_direction(place) - out) <
+                4.25 * (std::exp2(1 - c.bary_bits) + 0x1p-16));
+        REQUIRE(glm::length(octahedral_direction(octahedral_place(out)) - out) < 1e-12);
+    }
+    CAPTURE(lower, inside, edges);
+    CHECK((lower > 25000 && inside > 15000 && edges > 10000));
 }
 
 TEST_CASE("a path begins at the camera ray, and a refracted ray continues its own", "[pass][textures]") {

@@ -19,8 +19,8 @@ struct Run {
     unsigned seed;
     int hits;
 };
-const std::vector<Run> runs{
-    {"rgb888", 1, 3000}, {"rgb565", 2, 3000}, {"narrow", 3, 1500}, {"fine", 4, 1500}, {"levels", 5, 1500}};
+const std::vector<Run> runs{{"rgb888", 1, 3000}, {"rgb565", 2, 3000}, {"narrow", 3, 1500}, {"fine", 4, 1500},
+                            {"levels", 5, 1500}, {"planes", 6, 4000}, {"wide", 7, 1500}};
 
 }   // namespace
 

@@ -129,6 +129,10 @@ private:
         entry.root = out_.roots[entry.map->mesh_class];
         if (!config_.shading) return;
         entry.first_surface_line = surfaces_of(class_of(instance)) - entry.first;
+        if (parts_.is_round(out_.maps.classes[class_of(instance)].mesh)) {
+            image_.first_plane = entry.first + std::uint32_t(parts_.round->spheres.size());
+            image_.first_plane_surface_line = entry.first_surface_line + image_.first_plane;
+        }
         if (const auto& own = parts_.instances[instance].material) entry.material = material_of(*own);
     }
 
@@ -155,10 +159,7 @@ private:
         const MeshClass& made = out_.maps.classes[number];
         std::vector<LevelsImage::Surfaces>& all = out_.surfaces[number];
         all.resize(made.deforms ? std::size_t(buffers_) : 1);
-        if (parts_.is_round(made.mesh)) {
-            all[0].first = image_.lines();
-            return write_round(made.lattice);
-        }
+        if (parts_.is_round(made.mesh)) return write_round(made.lattice, all[0]);
         Scene scene = class_surfaces(*parts_.meshes[made.mesh], made, materials_);
         scene.textures = parts_.textures;
         write_texels(scene, config_, name_, out_.textures, image_);
@@ -174,12 +175,16 @@ private:
     /// Begins a new line of every cache, so that no cache line holds lines of two buffers.
     void align() { image_.words.resize(std::size_t(aligned(image_.lines())) * words_per_line, 0); }
 
-    /// Writes the surfaces of the scene's own spheres and planes, on the scene's lattice.
-    void write_round(const Lattice& lattice) {
+    /// Writes the surfaces of the scene's own spheres and planes, on the scene's lattice, and their textures
+    /// before them.
+    void write_round(const Lattice& lattice, LevelsImage::Surfaces& surfaces) {
         Scene scene;
         scene.spheres = parts_.round->spheres, scene.planes = parts_.round->planes;
-        scene.materials = materials_;
-        write(scene, lattice);
+        scene.materials = materials_, scene.textures = parts_.textures;
+        write_texels(scene, config_, name_, out_.textures, image_);
+        surfaces.records = write_records(scene, lattice, config_, name_, out_.textures, image_);
+        surfaces.first = image_.lines();
+        write(scene, lattice, surfaces.records);
     }
 
     /// Writes the surfaces of a scene whose unit is a lattice step.

@@ -65,11 +65,15 @@ std::uint32_t pane_of(const Surface& surface, const Config& c) {
 }
 
 /// Sends the hit to tex. The texture event handles the answer.
-void request_texture(const PassIn& in, PassOut& out) {
+void request_texture(const PassIn& in, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
     s.next_event = std::uint32_t(ShadeEvent::texture);
     out.leave = PassOut::Leave::texture;
     out.tex = {in.ray, s.record, s.path, s.cosine, in.hit.u, in.hit.v, in.placement.texel_scale};
+    if (s.round) {
+        const auto [u, v] = octahedral(s, c);
+        out.tex.u = u, out.tex.v = v;
+    }
 }
 
 void arrive(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
@@ -84,7 +88,7 @@ void arrive(const PassIn& in, const Frame& frame, const Config& c, PassOut& out)
         if (c.has_homes())
             s.next_event = std::uint32_t(ShadeEvent::transform);
         else if (s.record != 0)
-            request_texture(in, out);
+            request_texture(in, c, out);
         return;
     }
     see_background(s, s.weight, frame);
@@ -308,7 +312,7 @@ PassOut pass(const PassIn& in, const Frame& frame, const Config& c) {
         case ShadeEvent::transform:
             transform_surface(in, c, s);
             next_light(s, 0, frame, c);
-            if (s.record != 0) request_texture(in, out);
+            if (s.record != 0) request_texture(in, c, out);
             break;
         case ShadeEvent::texture: show_texture(in, frame, c, out); break;
         case ShadeEvent::pop:

@@ -12,7 +12,7 @@ enum class ShadeEvent : std::uint32_t {
     reflect,
     pop,         ///< the next waiting ray, or the sample's end
     transform,   ///< with two levels, after arrive: maps the surface from the mesh's space to the scene's
-    texture,     ///< after these, on a textured triangle: its colour has arrived
+    texture,     ///< after these, on a textured surface: its colour has arrived
 };
 
 /// When the next pass adds the contribution of a light at its beginning.
@@ -54,6 +54,7 @@ struct ShadeState {
     std::uint32_t diffuse = 0, highlight = 0, mirror = 0, transmit = 0, shine = 0, ratio = 0, schlick = 0,
                   r0 = 0;
     std::uint32_t ambient = 0, record = 0;   ///< with textures
+    std::uint32_t round = 0;                 ///< with textures and spheres: the surface is a sphere
     // The light.
     std::uint32_t light = 0;
     std::array<std::uint32_t, 3> share{};   ///< its contribution if it is not blocked
@@ -84,7 +85,7 @@ struct ShadeState {
             v_("across", across, c.panes);
         }
         if (c.has_textures()) {
-            v_("path", path, c.t_bits());
+            v_("path", path, c.path_bits());
             v_("holes", holes, hole_bits);
             v_("light_holes", light_holes, hole_bits);
         }
@@ -111,6 +112,7 @@ struct ShadeState {
         if (c.has_textures()) {
             v_("ambient", ambient, share_bits + 1);
             v_("record", record, c.addr_bits);
+            if (c.spheres) v_("is_round", round, 1);
         }
         v_("transmit", transmit, unit_bits + 1);
         v_("ratio", ratio, ratio_bits);
@@ -137,7 +139,7 @@ struct Waiting {
         v("is_inside", inside, 1);
         if (c.panes > 0) v("in_cell", cell, c.panes);
         if (c.horizon) v("is_partial", partial, 1);
-        if (c.has_textures()) v("path", path, c.t_bits());
+        if (c.has_textures()) v("path", path, c.path_bits());
         if (!c.has_homes()) return;
         v("home", home.line, c.addr_bits);
         v("home_o", home.o, c.origin_width(), 3);

@@ -136,7 +136,8 @@ std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& c, ShadeState&
 
     if (c.has_textures()) {
         state.ambient = s.ambient, state.record = s.record;
-        state.path = path_to(in, c);
+        state.round = c.spheres && PrimKind(s.kind) == PrimKind::sphere;
+        state.path = path_to(in, state, c);
         if (s.record != 0) return {};   // the texture event adds it
     }
     return ambient_light(state, s.ambient);
@@ -150,19 +151,52 @@ std::array<std::uint32_t, 3> ambient_light(const ShadeState& state, std::uint32_
     return ambient;
 }
 
+std::array<std::uint32_t, 2> octahedral(const ShadeState& state, const Config& c) {
+    std::array<std::int64_t, 3> n{};
+    std::int64_t sum = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+        n[k] = state.inside ? -state.normal[k] : state.normal[k];
+        sum += std::abs(n[k]);
+    }
+    const std::int64_t half = std::int64_t(1) << (c.bary_bits - 1);
+    std::int64_t p = half * std::abs(n[0]) / sum, q = half * std::abs(n[2]) / sum;
+    if (n[1] < 0) {
+        p = half - p, q = half - q;
+        std::swap(p, q);
+    }
+    return {std::uint32_t(n[0] < 0 ? half - p : half + p), std::uint32_t(n[2] < 0 ? half - q : half + q)};
+}
+
 std::array<std::uint32_t, 3> apply_texture(const std::array<std::uint32_t, 3>& texel, ShadeState& state) {
     for (std::size_t k = 0; k < 3; ++k) state.albedo[k] = rounded(state.albedo[k] * texel[k], share_bits);
     return ambient_light(state, state.ambient);
 }
 
-std::uint32_t path_to(const PassIn& in, const Config& c) {
-    std::array<std::uint32_t, 3> size{};
-    for (std::size_t k = 0; k < 3; ++k) size[k] = std::uint32_t(std::abs(in.d[k]));
-    std::ranges::sort(size);
-    const std::uint32_t sum = size[2] + (size[1] >> 2) + (size[1] >> 3) + (size[0] >> 2) + (size[0] >> 4);
-    const std::uint64_t length = sum >> (c.dir_bits - 1 - length_bits);
-    const std::uint64_t path = in.state.path + (length * in.hit.t >> length_bits);
-    return std::uint32_t(std::min<std::uint64_t>(path, (1u << c.t_bits()) - 1));
+namespace {
+
+/// Returns the approximate length of a vector.
+std::uint64_t length_of(Vec3l v) {
+    for (auto& x : v) x = std::abs(x);
+    std::ranges::sort(v);
+    return std::uint64_t(v[2] + (v[1] >> 2) + (v[1] >> 3) + (v[0] >> 2) + (v[0] >> 4));
+}
+
+}   // namespace
+
+std::uint32_t path_to(const PassIn& in, const ShadeState& state, const Config& c) {
+    const bool is_far =
+        c.planes && PrimKind(in.surface.kind) == PrimKind::plane && in.hit.t == (1u << c.t_bits()) - 1;
+    std::uint64_t length = 0;
+    if (is_far) {
+        Vec3l way{};
+        for (std::size_t k = 0; k < 3; ++k) way[k] = state.o[k] - in.o[k];
+        length = length_of(way) << c.t_frac_bits >> c.origin_bits;
+    } else {
+        const std::uint64_t size = length_of({in.d[0], in.d[1], in.d[2]}) >> (c.dir_bits - 1 - length_bits);
+        length = size * in.hit.t >> length_bits;
+    }
+    return std::uint32_t(
+        std::min<std::uint64_t>(in.state.path + length, (std::uint64_t(1) << c.path_bits()) - 1));
 }
 
 }   // namespace rayclock

@@ -13,11 +13,23 @@ namespace {
 
 constexpr std::int64_t one_picture = std::int64_t(1) << coordinate_frac;
 
+/// Returns u or v of a hit. It is signed if the chip has planes.
+std::int64_t weight_of(std::uint32_t x, const Config& c) {
+    const std::int64_t half = std::int64_t(1) << (c.uv_bits() - 1);
+    return c.planes && x >= half ? std::int64_t(x) - 2 * half : std::int64_t(x);
+}
+
+/// True if u or v of a plane's hit is saturated.
+bool is_saturated(const TexReq& hit, const Config& c) {
+    const std::uint32_t least = 1u << (c.uv_bits() - 1), most = least - 1;
+    return c.planes && (hit.u == least || hit.u == most || hit.v == least || hit.v == most);
+}
+
 /// Returns a corner coordinate interpolated by u and v.
 std::int64_t interpolated(const std::array<std::int32_t, 3>& corner, const TexReq& hit, const Config& c) {
     const std::int64_t along_u = std::int64_t(corner[1]) - corner[0],
                        along_v = std::int64_t(corner[2]) - corner[0];
-    return corner[0] + ((hit.u * along_u + hit.v * along_v) >> c.bary_bits);
+    return corner[0] + ((weight_of(hit.u, c) * along_u + weight_of(hit.v, c) * along_v) >> c.bary_bits);
 }
 
 /// Returns the coordinate within the picture, 0 to one_picture - 1.
@@ -93,7 +105,8 @@ TexelPlace texel_place(const TexReq& hit, const TexRecord& record, std::int32_t 
                        const Config& config) {
     TexelPlace place;
     place.cutoff = record.cutoff;
-    place.level = level_of(hit, record, spread);
+    place.level =
+        hit.path != 0 && is_saturated(hit, config) ? record.last_level : level_of(hit, record, spread);
     const int log_width = std::max(int(record.log_width) - int(place.level), 0),
               log_height = std::max(int(record.log_height) - int(place.level), 0);
     const auto wrap_s = WrapMode(record.wrap_s), wrap_t = WrapMode(record.wrap_t);

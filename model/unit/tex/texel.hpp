@@ -62,7 +62,8 @@ struct TexelPlace {
 /// ray cone (Akenine-Moeller et al. 2021) whose width grows only with the length of the path.
 std::uint32_t level_of(const TexReq& hit, const TexRecord& record, std::int32_t spread);
 /// Returns the place of a hit. The corners' coordinates are interpolated by u and v and rounded down once, to
-/// coordinate_frac bits. Mirror of rtl/unit/tex/rc_texel_address.sv.
+/// coordinate_frac bits. Where a plane's u or v is saturated, the level is the last one. Mirror of
+/// rtl/unit/tex/rc_texel_address.sv.
 TexelPlace texel_place(const TexReq& hit, const TexRecord& record, std::int32_t spread, const Config& config);
 
 /// Returns a channel's intensity, share_bits fraction bits, for an sRGB code (IEC 61966-2-1), rounded to

@@ -251,8 +251,12 @@ module rc_pass #(
   logic [3*AxisBits-1:0]   s13_normal, s13_view;
   logic [3*NormalBits-1:0] side_n;
 
+  // With two levels, spheres send their normal to tex in the pass *transform*, unchanged.
+  localparam bit Round = rc_pkg::HasTextures == 1 && rc_pkg::Spheres == 1;
+
   rc_stage_delay #(.Width(6 * AxisBits), .Stages(13)) u_vectors (
-    .clk_i, .rst_ni, .enter_i(s0_light || s0_bounce), .leave_i(light_at[13] || bounce_at[13]),
+    .clk_i, .rst_ni, .enter_i(s0_light || s0_bounce || (Round && s0_transform)),
+    .leave_i(light_at[13] || bounce_at[13] || (Round && transform_at[13])),
     .data_i({state.normal, state.view}), .data_o({s13_normal, s13_view}));
 
   rc_stage_delay #(.Width(3 * NormalBits), .Stages(Side)) u_n (
@@ -309,13 +313,13 @@ module rc_pass #(
     .data_o(surf_ambient));
 
   // ---- With textures: the inputs of tex: the length of the path, u and v.
-  logic [TBits-1:0]  surf_path;
-  logic [UvBits-1:0] face_u, face_v;
+  logic [rc_pkg::PathBits-1:0] surf_path;
+  logic [UvBits-1:0] face_u, face_v, round_u, round_v;
   logic              end_hole;   // the texture has a hole: the ray continues
   logic [3*M-1:0]    s15_old_d;  // in its direction
 
   if (rc_pkg::HasTextures == 1) begin : gen_path
-    logic [TBits-1:0] s3_path;
+    logic [rc_pkg::PathBits-1:0] s3_path, near_path;
 
     rc_stage_delay #(.Width(3 * M), .Stages(15)) u_old_d (
       .clk_i, .rst_ni, .enter_i(s0_texture), .leave_i(texture_at[15]), .data_i(d),
@@ -329,9 +333,33 @@ module rc_pass #(
       .clk_i, .valid_i(surf_at[2:0]), .s1_phase_i(phase[Every +: Every]),
       .s0_path_i(state.path), .s0_t_i(t), .s0_d_i(d), .s3_path_o(s3_path));
 
-    rc_stage_delay #(.Width(TBits), .Stages(Out - 3), .Parts(rc_pkg::ShadeParts)) u_path (
+    rc_stage_delay #(.Width(rc_pkg::PathBits), .Stages(Out - 3), .Parts(rc_pkg::ShadeParts))
+    u_path (
       .clk_i, .rst_ni, .enter_i(surf_at[3]), .leave_i(surf_at[Out]), .data_i(s3_path),
-      .data_o(surf_path));
+      .data_o(near_path));
+
+    // A plane's hit may be too far away for t.
+    if (rc_pkg::Planes == 1) begin : gen_far_path
+      logic                        end_far;
+      logic [rc_pkg::PathBits-1:0] s8_path, far_path;
+
+      rc_far_path u_far_path (
+        .clk_i, .rst_ni, .valid_i(surf_at[7:0]), .s0_path_i(state.path), .s0_o_i(o), .s5_o_i(s5_o),
+        .s8_path_o(s8_path));
+
+      rc_stage_delay #(.Width(rc_pkg::PathBits), .Stages(Out - 8), .Parts(rc_pkg::ShadeParts))
+      u_far (
+        .clk_i, .rst_ni, .enter_i(surf_at[8]), .leave_i(surf_at[Out]), .data_i(s8_path),
+        .data_o(far_path));
+
+      rc_stage_delay #(.Width(1), .Stages(Out), .Parts(rc_pkg::ShadeParts)) u_is_far (
+        .clk_i, .rst_ni, .enter_i(surf_at[0]), .leave_i(surf_at[Out]),
+        .data_i(surface.kind == rc_pkg::PrimPlane && t == '1), .data_o(end_far));
+
+      assign surf_path = end_far ? far_path : near_path;
+    end else begin : gen_no_far_path
+      assign surf_path = near_path;
+    end
 
     rc_stage_delay #(.Width(2 * UvBits), .Stages(Out), .Parts(rc_pkg::ShadeParts)) u_uv (
       .clk_i, .rst_ni, .enter_i(face_at[0] || cutout_at[0]),
@@ -372,6 +400,39 @@ module rc_pass #(
   rc_stage_delay #(.Width(ValueBits), .Stages(Out - 15), .Parts(rc_pkg::ShadeParts)) u_cosine (
     .clk_i, .rst_ni, .enter_i(face_at[15]), .leave_i(face_at[Out]), .data_i(s15_cosine),
     .data_o(surf_cosine));
+
+  // ---- With textures on spheres: the place of the normal in the picture.
+  localparam int unsigned Steps = rc_pkg::OctahedralSteps;
+  // The last stage that begins before the place is ready; see rc_octahedral.
+  localparam int unsigned Ready = 13 + (Steps + 1 + Every) / Every;
+
+  if (Round && Ready >= Out) begin : gen_refuse
+    $error("rc_pass: a sphere's place in its picture comes too late");
+  end
+
+  if (Round) begin : gen_octahedral
+    logic              s13_inside, leaves_13, begins_14;
+    logic [UvBits-1:0] ready_u, ready_v;
+
+    assign leaves_13 = rc_pkg::Homes == 1 ? transform_at[13] : surf_at[13];
+    assign begins_14 = phase[14*Every]
+                     && (rc_pkg::Homes == 1 ? transform_q_at[14] : surf_q[14]);
+
+    rc_stage_delay #(.Width(1), .Stages(13)) u_inside (
+      .clk_i, .rst_ni, .enter_i(face_at[0]), .leave_i(face_at[13]), .data_i(known.is_inside),
+      .data_o(s13_inside));
+
+    rc_octahedral u_octahedral (
+      .clk_i, .leaves_13_i(leaves_13), .s13_normal_i(rc_pkg::Homes == 1 ? s13_normal : s13_unit),
+      .s13_inside_i(s13_inside), .begins_14_i(begins_14), .done_i(phase[14*Every+Steps]),
+      .u_o(ready_u), .v_o(ready_v));
+
+    rc_stage_delay #(.Width(2 * UvBits), .Stages(Out - Ready), .Parts(rc_pkg::ShadeParts)) u_round (
+      .clk_i, .rst_ni, .enter_i(face_at[Ready]), .leave_i(face_at[Out]),
+      .data_i({ready_u, ready_v}), .data_o({round_u, round_v}));
+  end else begin : gen_no_octahedral
+    assign {round_u, round_v} = '0;
+  end
 
   // ---- Light and bounce.
   logic                    light_near, light_clear, s13_total, bounce_total, s15_near;
@@ -593,6 +654,7 @@ module rc_pass #(
   // ---- s28: end of the pass.
   rc_pass_end u_end (
     .clk_i, .take_i(ends[Stages-1]), .frame_i, .path_i(surf_path), .u_i(face_u), .v_i(face_v),
+    .round_u_i(round_u), .round_v_i(round_v),
     .hole_i(end_hole), .cutout_i(Cut ? cutout_q[Stages-1] : cutout_at[Stages]),
     .scale_i(end_scale),
     .ray_i(end_ray), .begin_state_i(begin_state),

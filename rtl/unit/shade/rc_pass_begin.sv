@@ -80,7 +80,7 @@ module rc_pass_begin #(
   end
 
   // The state.
-  rc_pkg::shade_state_t known, known_texture;
+  rc_pkg::shade_state_t known, known_texture, known_round;
 
   always_comb begin
     known         = state_i;
@@ -115,14 +115,14 @@ module rc_pass_begin #(
                   ? normal[4*rc_pkg::CornerBits +: rc_pkg::Panes] : '0;
 
     always_comb begin
-      known_o = known_texture;
+      known_o = known_round;
       if (has_material_o) known_o.across = state_i.in_cell ^ pane;
     end
 
     logic unused_normal;
     assign unused_normal = ^normal;
   end else begin : gen_no_panes
-    assign known_o = known_texture;
+    assign known_o = known_round;
   end
 
   if (rc_pkg::HasTextures == 1) begin : gen_texture
@@ -139,6 +139,17 @@ module rc_pass_begin #(
     assign material_o.record  = known_texture.record;
   end else begin : gen_no_texture
     assign known_texture = known;
+  end
+
+  if (rc_pkg::HasTextures == 1 && rc_pkg::Spheres == 1) begin : gen_round
+    always_comb begin
+      known_round = known_texture;
+      if (has_material_o) known_round.is_round = surface_i.kind == rc_pkg::PrimSphere;
+    end
+
+    assign material_o.is_round = known_round.is_round;
+  end else begin : gen_not_round
+    assign known_round = known_texture;
   end
 
   assign material_o.diffuse   = known.diffuse;

@@ -41,10 +41,13 @@ module rc_pass_end #(
   input  logic [3*rc_pkg::ColourBits-1:0] surf_albedo_i,
   input  logic [3*ValueBits-1:0]   surf_ambient_i,
   input  logic [3*ValueBits-1:0]   background_i,
-  // With textures, from rc_path_length: the path's length; and the hit's u and v
-  input  logic [rc_pkg::TBits-1:0]  path_i,
+  // With textures, from rc_path_length or rc_far_path: the path's length; the hit's u and v; those
+  // of a sphere, from rc_octahedral
+  input  logic [rc_pkg::PathBits-1:0] path_i,
   input  logic [rc_pkg::UvBits-1:0] u_i,
   input  logic [rc_pkg::UvBits-1:0] v_i,
+  input  logic [rc_pkg::UvBits-1:0] round_u_i,
+  input  logic [rc_pkg::UvBits-1:0] round_v_i,
   input  logic                     hole_i,   // the texture has a hole
   input  logic                     cutout_i,   // a shadow ray has met a cut-out: no event
   input  logic [rc_pkg::LevelBits-1:0] scale_i,   // with two levels: of the instance's texels
@@ -327,9 +330,18 @@ module rc_pass_end #(
     assign request.path   = cutout_i ? '0 : surf_i ? path_i : begin_state_i.path;
     assign request.cosine = cutout_i ? rc_pkg::ValueOne
                           : surf_i || turned ? surf_cosine_i : begin_state_i.cosine;
-    assign request.u      = u_i;
-    assign request.v      = v_i;
     assign tex_req        = request;
+
+    if (rc_pkg::Spheres == 1) begin : gen_round
+      assign request.u = begin_state_i.is_round && !cutout_i ? round_u_i : u_i;
+      assign request.v = begin_state_i.is_round && !cutout_i ? round_v_i : v_i;
+    end else begin : gen_no_round
+      assign request.u = u_i;
+      assign request.v = v_i;
+
+      logic unused;
+      assign unused = ^{round_u_i, round_v_i};
+    end
 
     if (rc_pkg::Homes == 1) begin : gen_scale
       assign request.scale = cutout_i ? '0 : scale_i;
@@ -345,7 +357,7 @@ module rc_pass_end #(
     assign tex_req      = request;
 
     logic unused;
-    assign unused = ^{path_i, u_i, v_i, hole_i, scale_i, asks_cutout};
+    assign unused = ^{path_i, u_i, v_i, round_u_i, round_v_i, hole_i, scale_i, asks_cutout};
   end
 
   if (rc_pkg::Panes != 0) begin : gen_cell

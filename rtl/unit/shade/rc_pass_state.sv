@@ -69,6 +69,8 @@ module rc_pass_state #(
     kept.least = many.least;
     kept.most = many.most;
   end
+  rc_pkg::shade_state_t with_texture;
+
   // With textures: the texture's record, and the old cosine for an instance without a map.
   if (rc_pkg::HasTextures == 1) begin : gen_texture
     localparam int unsigned CosineW = rc_pkg::Homes == 1 ? rc_pkg::ValueBits : 1;
@@ -84,15 +86,30 @@ module rc_pass_state #(
       .data_o({record, cosine}));
 
     always_comb begin
-      begin_state_o        = kept;
-      begin_state_o.record = record;
-      begin_state_o.cosine = rc_pkg::ValueBits'(cosine);
+      with_texture        = kept;
+      with_texture.record = record;
+      with_texture.cosine = rc_pkg::ValueBits'(cosine);
     end
 
     logic unused;
     assign unused = ^known_cosine;
   end else begin : gen_no_texture
-    assign begin_state_o = kept;
+    assign with_texture = kept;
+  end
+
+  // With textures on spheres: whether the surface is one.
+  if (rc_pkg::HasTextures == 1 && rc_pkg::Spheres == 1) begin : gen_round
+    logic is_round;
+
+    rc_stage_delay #(.Width(1), .Stages(Stages), .Parts(rc_pkg::ShadeParts)) u_round (
+      .clk_i, .rst_ni, .enter_i, .leave_i, .data_i(known_i.is_round), .data_o(is_round));
+
+    always_comb begin
+      begin_state_o          = with_texture;
+      begin_state_o.is_round = is_round;
+    end
+  end else begin : gen_not_round
+    assign begin_state_o = with_texture;
   end
 
   logic unused;

@@ -31,13 +31,15 @@ module rc_texel_address #(
   localparam int unsigned TexelFrac = rc_pkg::TexelFrac;
   localparam int unsigned SideBits  = rc_pkg::SideBits;
   localparam int unsigned UvBits    = rc_pkg::UvBits;
-  localparam int unsigned TBits     = rc_pkg::TBits;
+  localparam int unsigned PathBits  = rc_pkg::PathBits;
   localparam int unsigned ValueBits = rc_pkg::ValueBits;
   localparam int unsigned LevelBits = rc_pkg::LevelBits;
   localparam int unsigned LevelFrac = rc_pkg::LevelFrac;
   localparam int unsigned DiffW     = CoordBits + 1;
   localparam int unsigned ProductW  = DiffW + UvBits + 1;
-  localparam int unsigned SumW      = CoordBits + 3;
+  // A plane's u and v are signed, with PlaneBits more whole bits.
+  localparam bit          Planes    = rc_pkg::Planes == 1;
+  localparam int unsigned SumW      = CoordBits + 3 + (Planes ? rc_pkg::PlaneBits : 0);
   localparam int unsigned TexelW    = Frac;             // a coordinate in texels: 12.8 bits
   localparam int unsigned LogW      = 5 + LevelFrac;    // logarithm of a number of up to 32 bits
   localparam int unsigned LevelSumW = LevelBits + 3;
@@ -65,7 +67,7 @@ module rc_texel_address #(
   // ---- s0: the record.
   rc_pkg::tex_record_t                  s0;
   logic signed [LevelBits-1:0]          s0_density;
-  logic [TBits-1:0]                     s0_path;
+  logic [PathBits-1:0]                  s0_path;
   logic [ValueBits-1:0]                 s0_cosine;
   logic [UvBits-1:0]                    s0_u, s0_v;
   logic [3*CoordBits-1:0]               s0_s, s0_t;
@@ -126,8 +128,9 @@ module rc_texel_address #(
   logic signed [LevelBits:0]     s1_density_q;
   logic signed [LevelSumW-1:0]   s1_slant, s2_level_q, s2_rounded;
   logic [SideBits-1:0]           s0_last, s2_last_q, s3_level_q;
+  logic                          s2_ends;
 
-  rc_log #(.Width(TBits)) u_log_path (.x_i(s0_path), .log_o(s0_log_path));
+  rc_log #(.Width(PathBits)) u_log_path (.x_i(s0_path), .log_o(s0_log_path));
   rc_log #(.Width(ValueBits)) u_log_cosine (.x_i(s0_cosine), .log_o(s0_log_cosine));
 
   assign s0_density = s0.density;
@@ -169,9 +172,22 @@ module rc_texel_address #(
       s2_level_q <= LevelSumW'(s1_density_q) + LevelSumW'(s0_spread)
                   + $signed(LevelSumW'(s1_log_path_q)) + s1_slant;
     if (valid_q[2])
-      s3_level_q <= s2_rounded < 0 ? '0
+      s3_level_q <= s2_ends ? s2_last_q : s2_rounded < 0 ? '0
                   : (s2_rounded >>> LevelFrac) > $signed(LevelSumW'(s2_last_q)) ? s2_last_q
                   : s2_rounded[LevelFrac +: SideBits];
+  end
+
+  // Where a plane's u or v is saturated, the level is the last one.
+  if (Planes) begin : gen_ends
+    logic s0_ends;
+
+    assign s0_ends = s0_u[UvBits-2:0] == {(UvBits-1){!s0_u[UvBits-1]}}
+                  || s0_v[UvBits-2:0] == {(UvBits-1){!s0_v[UvBits-1]}};
+
+    rc_shift_register #(.Width(1), .Stages(2)) u_ends (
+      .clk_i, .enable_i({valid_q[1], valid_i}), .data_i(s0_ends), .data_o(s2_ends));
+  end else begin : gen_no_ends
+    assign s2_ends = 1'b0;
   end
 
   rc_shift_register #(.Width(SideBits), .Stages(2)) u_last (
@@ -248,8 +264,8 @@ module rc_texel_address #(
         s1_along_v_q <= DiffW'($signed(corners[2*CoordBits +: CoordBits])) - DiffW'(s0_corner);
       end
       if (valid_q[1]) begin
-        s2_u_q <= s1_along_u_q * $signed({1'b0, s1_u_q});
-        s2_v_q <= s1_along_v_q * $signed({1'b0, s1_v_q});
+        s2_u_q <= s1_along_u_q * $signed({Planes && s1_u_q[UvBits-1], s1_u_q});
+        s2_v_q <= s1_along_v_q * $signed({Planes && s1_v_q[UvBits-1], s1_v_q});
       end
       if (valid_q[2]) s3_x_q <= SumW'(s2_corner) + SumW'(s2_sum >>> rc_pkg::BaryBits);
       if (valid_q[3]) s4_within_q <= s3_within;

@@ -89,7 +89,9 @@ void add_scene(Digest& digest, const Scene& scene) {
     if (scene.camera) add(digest, *scene.camera);
     add(digest, scene.background);
     if (!scene.coordinates.empty()) add_all(digest, scene.coordinates);
-    if (!scene.textures.empty()) add_all(digest, scene.textures);
+    if (scene.textures.empty()) return;
+    add_all(digest, scene.textures);
+    for (const Plane& plane : scene.planes) add(digest, plane.coordinates);
 }
 
 std::string text_of(const Digest& digest) { return fmt::format("{:016x}", digest.value()); }

@@ -362,7 +362,8 @@ glm::dvec3 Guide::square(const RefClosest& hit, const Material& material, const 
     const MachineVisit* at = visit();
     if (!at || !at->hit.found || at->hit.prim != hit.primitive || !material.checkered) return own;
     glm::dvec3 seen(0);
-    for (int k = 0; k < 3; ++k) seen[k] = std::ldexp(double(at->state.albedo[std::size_t(k)]), -share_bits);
+    const std::array<std::uint32_t, 3>& albedo = at->texture ? at->texture->below : at->state.albedo;
+    for (int k = 0; k < 3; ++k) seen[k] = std::ldexp(double(albedo[std::size_t(k)]), -share_bits);
     const double unit = std::exp2(-share_bits);
     const auto is = [&](const glm::dvec3& colour) {
         return glm::all(glm::lessThanEqual(glm::abs(seen - colour), glm::dvec3(unit)));
@@ -411,28 +412,30 @@ double stretch_error(const std::array<std::int64_t, 9>& a) {
     return 0.5 * std::max(std::log2(most / mean), std::log2(mean / least));
 }
 
-/// The machine rounds the weights of the corners, the coordinates, and the place in texels down. It finds the
-/// level from logarithms of 6 fraction bits. Its length of a path errs by 0.098 of a level, and by another
-/// 0.023 because |d| has 7 fraction bits. The logarithm of the path adds 0.031. The logarithm of the cosine
-/// adds half of 0.031 and 1/128. The two registers add 1/128 each.
-void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& own) {
-    const MachineVisit* at = visit();
-    if (!at || !at->hit.found || at->hit.prim != hit.primitive) return;
-    if (!at->texture) return fail("a triangle is drawn without its texture");
-    const Config& config = rules_.inputs.config;
-    const Texture& texture = rules_.scene.textures[*surface.material->texture];
+/// A place in a texture that the machine reads.
+struct Guide::TexturePlace {
+    glm::dvec2 st{0};
+    glm::dvec2 error{0x1p-19};   ///< in pictures
+    double scale_error = 0;      ///< of a level, by an instance's map
+    bool is_wrong = false;       ///< it is not the place of the point that was hit
+    bool is_last = false;        ///< the machine draws the texture's last level at any distance
+};
+
+/// The machine rounds the weights of the corners and the coordinates.
+Guide::TexturePlace Guide::place_on_triangle(const MachineVisit& at, const RefClosest& hit,
+                                             const RefTexel& own) const {
     const auto& [a, b, c] = rules_.scene.coordinates[hit.primitive];
-    double u = std::ldexp(double(at->hit.u), -config.bary_bits),
-           v = std::ldexp(double(at->hit.v), -config.bary_bits);
+    const double fine = std::exp2(-rules_.inputs.config.bary_bits);
+    double u = fine * at.hit.u, v = fine * at.hit.v;
     const std::uint32_t place =
-        rules_.placed ? rules_.placed->place_of(at->hit.prim) : oracle::PlacedRay::nowhere;
+        rules_.placed ? rules_.placed->place_of(at.hit.prim) : oracle::PlacedRay::nowhere;
     if (rules_.placed && rules_.placed->is_mirrored(place)) std::swap(u, v);
-    const glm::dvec2 st = (1 - u - v) * a + u * b + v * c;
-    const glm::dvec2 edges = glm::abs(b - a) + glm::abs(c - a);
+    TexturePlace found;
+    found.st = (1 - u - v) * a + u * b + v * c;
     // With two levels the ray is rounded in the instance's space, so it may hit the triangle a few steps
     // away.
-    double scale_error = 0, away = 0;
-    if (rules_.placed && is_turned(*at)) {
+    double away = 0;
+    if (rules_.placed && is_turned(at)) {
         const auto& vertex = rules_.scene.triangles[hit.primitive].vertex;
         const auto corner = [&](std::size_t k) { return rules_.scene.vertices[vertex[k]]; };
         const glm::dvec3 e1 = corner(1) - corner(0), e2 = corner(2) - corner(0);
@@ -440,14 +443,98 @@ void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& ow
         const glm::dvec3& pitch = rules_.inputs.lattice.pitch;
         const double steps = 4 * std::max(pitch.x, std::max(pitch.y, pitch.z));
         away = steps * longest / area / std::max(own.cosine, 0x1p-8);
-        scale_error = stretch_error(rules_.placed->solids().places()[place].a);
+        found.scale_error = stretch_error(rules_.placed->solids().places()[place].a);
     }
-    if (glm::any(glm::greaterThan(glm::abs(st - own.st),
-                                  (4 * std::exp2(-config.bary_bits) + away) * edges + 0x1p-18)) &&
-        !is_substituted_)
-        fail("a texture is drawn with other coordinates than the triangle's at the hit");
+    const glm::dvec2 edges = glm::abs(b - a) + glm::abs(c - a);
+    found.is_wrong = !is_substituted_ && glm::any(glm::greaterThan(glm::abs(found.st - own.st),
+                                                                   (4 * fine + away) * edges + 0x1p-18));
+    return found;
+}
 
-    const double level_error = 0.25 + scale_error;
+/// The machine projects the unit normal that it found. The normal follows from its point, which place()
+/// judges. Each quotient is rounded down, by less than a unit of 2^(1 - bary_bits), and its divisor is larger
+/// by at most 2^-16. Steps e in both quotients are (e, 2 e, e) on the octahedron, at least 1 / sqrt(3) from
+/// its middle, so at most sqrt(18) e on the sphere.
+Guide::TexturePlace Guide::place_on_sphere(const MachineVisit& at, const RefClosest& hit) const {
+    const double fine = std::exp2(-rules_.inputs.config.bary_bits);
+    const Sphere& sphere = rules_.scene.spheres[hit.primitive - rules_.scene.triangles.size()];
+    const glm::dvec3 out = glm::normalize(point(at.state.o, rules_.inputs.config.origin_frac()) -
+                                          rules_.reference.geometry().space()(sphere.centre));
+    TexturePlace found;
+    found.st = fine * glm::dvec2(at.texture->u, at.texture->v);
+    found.is_wrong = glm::length(octahedral_direction(found.st) - out) >
+                     vector_error + 4.25 * (2 * fine + 0x1p-16) + tie_size;
+    return found;
+}
+
+/// The machine counts sides of the plane from a point a (plane.hpp). This finds the plane's own squares at
+/// the same point, which place() judges. The coordinates at a and at the ends of its sides have 20 fraction
+/// bits, so their errors grow with the number of sides, unless the coordinates are whole numbers of these
+/// bits.
+Guide::TexturePlace Guide::place_on_plane(const MachineVisit& at, const RefClosest& hit,
+                                          const Texture& texture) const {
+    const Config& config = rules_.inputs.config;
+    const Lattice& lattice = rules_.inputs.lattice;
+    const Plane& plane =
+        rules_.scene.planes[hit.primitive - rules_.scene.triangles.size() - rules_.scene.spheres.size()];
+    const glm::dvec3 n = glm::cross(plane.u, plane.v);
+    const auto coordinates_along = [&](const glm::dvec3& way) {
+        const double u = glm::dot(glm::cross(way, plane.v), n) / glm::dot(n, n),
+                     v = glm::dot(glm::cross(plane.u, way), n) / glm::dot(n, n);
+        return u * (plane.coordinates[1] - plane.coordinates[0]) +
+               v * (plane.coordinates[2] - plane.coordinates[0]);
+    };
+    const auto of = [&](const Vec3i& p) { return lattice.pitch * glm::dvec3(p[0], p[1], p[2]); };
+    const glm::dvec3 a = of(at.surface.a);
+    TexturePlace found;
+    found.st = plane.coordinates[0] + coordinates_along(lattice.centre + a - plane.point);
+    const glm::dvec2 at_a = found.st;
+    const double end = std::exp2(config.uv_bits() - 1);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double field = i == 0 ? at.hit.u : at.hit.v, whole = field >= end ? field - 2 * end : field,
+                     sides = std::ldexp(whole, -config.bary_bits);
+        const glm::dvec2 step = coordinates_along(of(i == 0 ? at.surface.b : at.surface.c) - a);
+        found.st += sides * step;
+        found.is_last = found.is_last || whole == end - 1 || whole == -end;
+        for (int axis = 0; axis < 2; ++axis) {
+            const double units = std::ldexp(step[axis], coordinate_frac);
+            if (std::abs(units - std::round(units)) > 0x1p-12)
+                found.error[axis] += std::ldexp(std::abs(sides), -coordinate_frac);
+            // Such coordinates may not fit a record. Two corners may lie on both sides of the middle.
+            const bool clamps = (axis == 0 ? texture.wrap_s : texture.wrap_t) == Wrap::clamp;
+            found.is_last = found.is_last || std::abs(step[axis]) > most_coordinate - 2 ||
+                            (clamps && std::abs(at_a[axis]) + std::abs(step[axis]) > most_coordinate - 1);
+        }
+    }
+    return found;
+}
+
+/// The machine rounds the weights of the corners, the coordinates, and the place in texels down. It finds the
+/// level from logarithms of 6 fraction bits. Its length of a path errs by 0.098 of a level, and by another
+/// 0.023 because |d| has 7 fraction bits. The logarithm of the path adds 0.031. The logarithm of the cosine
+/// adds half of 0.031 and 1/128. The two registers add 1/128 each.
+void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& own) {
+    const MachineVisit* at = visit();
+    if (!at || !at->hit.found || at->hit.prim != hit.primitive) return;
+    if (!at->texture) return fail("a surface is drawn without its texture");
+    const Texture& texture = rules_.scene.textures[*surface.material->texture];
+    const auto kind = PrimKind(at->surface.kind);
+    const TexturePlace place = kind == PrimKind::sphere  ? place_on_sphere(*at, hit)
+                               : kind == PrimKind::plane ? place_on_plane(*at, hit, texture)
+                                                         : place_on_triangle(*at, hit, own);
+    // A bounce from beyond the lattice stores its origin with fewer bits. Where t is saturated, the machine
+    // measures the way from there as if it had them.
+    const Config& config = rules_.inputs.config;
+    if (kind == PrimKind::plane && at->ray.partial != 0 && at->hit.t == (1u << config.t_bits()) - 1) {
+        const double scale = rules_.reference.geometry().space().scale;
+        const Vec3i& o = at->ray.o;
+        const glm::dvec3 from = point({o[0], o[1], o[2]}, config.origin_frac());
+        own.distance += (chord(point(at->state.o, config.origin_frac()), from) - hit.depth) / scale;
+    }
+    if (place.is_wrong)
+        fail("a texture is drawn with other coordinates than those of the point that was hit");
+
+    const double level_error = 0.25 + place.scale_error;
     constexpr double cosine_error_of_level = 0x1p-12;
     const auto level = int(at->texture->level);
     const auto detail = [&](double cosine) {
@@ -455,7 +542,8 @@ void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& ow
     };
     const double least = detail(own.cosine + cosine_error_of_level),
                  most = detail(own.cosine - cosine_error_of_level);
-    if (level > level_of(texture, least) && level > std::floor(most + 0.5 + level_error))
+    const bool is_last = place.is_last && level == int(texture.pyramid->levels.size()) - 1;
+    if (!is_last && level > level_of(texture, least) && level > std::floor(most + 0.5 + level_error))
         fail("a texture is drawn at a level that is too coarse");
     if (level < level_of(texture, most) && level < std::ceil(least - 0.5 - level_error))
         fail("a texture is drawn at a level that is too fine");
@@ -464,8 +552,8 @@ void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& ow
     const TexelLevel& picture =
         texture.pyramid->levels[std::min(std::size_t(level), texture.pyramid->levels.size() - 1)];
     const glm::dvec2 grid(256.0 * picture.width, 256.0 * picture.height),
-        moved = 0x1p-19 * grid, first = glm::floor(st * grid - moved),
-        last = glm::floor(st * grid + moved) + 1.0;
+        moved = place.error * grid, first = glm::floor(place.st * grid - moved),
+        last = glm::floor(place.st * grid + moved) + 1.0;
     glm::dvec3 low(2), high(-1), seen(0);
     double clear = 2, dense = -1;   // alpha
     for (double y = first.y; y <= last.y; ++y)
@@ -486,7 +574,7 @@ void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& ow
     const double unit = std::exp2(-share_bits);
     for (int k = 0; k < 3; ++k) {
         const double albedo = std::ldexp(double(at->state.albedo[std::size_t(k)]), -share_bits),
-                     material = surface.material->colour[k];
+                     material = surface.colour[k];
         if (albedo < material * low[k] - 2 * unit || albedo > material * high[k] + 2 * unit)
             fail("a texture gives another colour than its picture");
         seen[k] = material > 0 ? albedo / material : own.colour[k];
@@ -496,7 +584,7 @@ void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& ow
     const Texture& whole = given.textures[*surface.material->texture];
     const glm::dvec3 exact = filtered(whole, own.st, level_of(whole, detail(own.cosine)));
     finding_.has_texture |=
-        glm::any(glm::greaterThan(glm::abs(seen - exact) * surface.material->colour, glm::dvec3(2 * unit)));
+        glm::any(glm::greaterThan(glm::abs(seen - exact) * surface.colour, glm::dvec3(2 * unit)));
 }
 
 void Guide::place(RefSurface& surface) {

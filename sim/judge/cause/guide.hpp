@@ -89,6 +89,10 @@ private:
     double direction_error(const RefBounce& bounce, const MachineVisit& at) const;
     void round_normals(const MachineVisit& at, std::array<glm::dvec3, 3>& normals);
     bool points_outwards(const MachineVisit& at) const;
+    struct TexturePlace;
+    TexturePlace place_on_triangle(const MachineVisit& at, const RefClosest& hit, const RefTexel& own) const;
+    TexturePlace place_on_sphere(const MachineVisit& at, const RefClosest& hit) const;
+    TexturePlace place_on_plane(const MachineVisit& at, const RefClosest& hit, const Texture& texture) const;
     /// Returns the weights of the second and third corner at the point from which rays leave.
     std::array<double, 2> weights(const MachineVisit& at) const;
     /// Returns the machine's hit, from which the path continues.

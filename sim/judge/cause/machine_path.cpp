@@ -41,9 +41,11 @@ void MachinePath::answered(const Closest& hit) {
         visit.hit = hit;
 }
 
-void MachinePath::filtered(const TexReq&, const TexRecord&, const TexelPlace& place, const TexRsp& answer) {
+void MachinePath::filtered(const TexReq& hit, const TexRecord&, const TexelPlace& place,
+                           const TexRsp& answer) {
     if (asks_cutout_) return;   // whether a light is hidden follows from the last ray to it
-    visits[std::size_t(at_)].texture = MachineTexture{place.level, answer.hole != 0};
+    MachineVisit& visit = visits[std::size_t(at_)];
+    visit.texture = MachineTexture{place.level, answer.hole != 0, hit.u, hit.v, visit.state.albedo};
 }
 
 void MachinePath::passed(const PassIn& in, const PassOut& out) {

@@ -1,5 +1,6 @@
 #pragma once
 // The machine's path through one pixel: every ray, its hit, and the decisions there.
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct MachineLight {
 struct MachineTexture {
     std::uint32_t level = 0;
     bool is_hole = false;
+    std::uint32_t u = 0, v = 0;             ///< as in TexReq
+    std::array<std::uint32_t, 3> below{};   ///< the albedo before the texture
 };
 
 /// A camera ray or bounce, and the surface that it met.

@@ -88,7 +88,7 @@ private:
         glm::dvec3 normal{0}, view{0};   ///< unit vectors
         bool is_far = false, is_lost = false;
         std::uint32_t pane = 0;   ///< the surface's bit in a cell
-        std::optional<TexturedTriangle> texture;
+        std::optional<TexturedSurface> texture;
         double ratio = 1;                     ///< refractive index on the ray's side over that on the other
         double normal_error = vector_error;   ///< error bound of the chip's unit normal
         /// Returns the error bound of the normal's product with another unit vector.
@@ -124,7 +124,7 @@ private:
     void transform(const PassIn& in, const PassOut& out);
     void demand_texture(const ShadeState& s, const PassOut& out);
     void texture(const PassIn& in, const PassOut& out);
-    std::optional<TexturedTriangle> textured(std::uint32_t primitive) const;
+    std::optional<TexturedSurface> textured(std::uint32_t primitive) const;
     bool has_holes(std::uint32_t primitive) const override;
     bool is_hole(std::uint32_t primitive, std::uint32_t u, std::uint32_t v) const override;
     void cutout(const PassIn& in, const PassOut& out);
@@ -206,7 +206,7 @@ private:
     std::uint32_t path_ = 0;                   ///< with textures: length of the path so far
     std::uint32_t holes_ = 0;                  ///< of textures, which the ray has passed
     std::optional<TexRsp> texel_;              ///< the last answer of tex
-    std::optional<TexturedTriangle> cutout_;   ///< that a shadow ray has met and whose texture decides
+    std::optional<TexturedSurface> cutout_;   ///< that a shadow ray has met and whose texture decides
     std::vector<std::uint32_t> light_holes_;   ///< cut-outs through whose holes the light came so far
     Colour pixel_{};
     Light exact_pixel_{};

@@ -82,8 +82,12 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
            "the other side of a plane is told from this one wrongly");
     judge_place(in, s);
     if (config_.has_textures()) {
-        path_ = path_length(path_, in.d, answer_.t, config_);
-        demand(s.record == place_.surface.record && s.ambient == place_.surface.ambient,
+        std::optional<Vec3l> far_way;
+        if (PrimKind(place_.surface.kind) == PrimKind::plane && answer_.t == (1u << config_.t_bits()) - 1)
+            far_way = by_axis([&](std::size_t k) { return s.o[k] - in.o[k]; });
+        path_ = path_length(path_, in.d, answer_.t, far_way, config_);
+        demand(s.record == place_.surface.record && s.ambient == place_.surface.ambient &&
+                   (s.round != 0) == (PrimKind(place_.surface.kind) == PrimKind::sphere),
                "the material that was hit is not kept");
     }
     if (place_.texture && !rules_.placed) return demand_texture(s, out);
@@ -104,15 +108,18 @@ void PathJudge::demand_texture(const ShadeState& s, const PassOut& out) {
     demand(visit_.place == oracle::PlacedRay::nowhere ||
                is_scale(hit.scale, rules_.placed->solids().places()[visit_.place].a, config_),
            "the request to tex has another scale than the instance's");
-    demand(hit.record == s.record && hit.u == answer_.u && hit.v == answer_.v && hit.path == path_ &&
-               hit.cosine == s.cosine,
+    bool is_there = hit.u == answer_.u && hit.v == answer_.v;
+    if (place_.texture && place_.texture->kind == PrimKind::sphere)
+        is_there = is_octahedral(
+            hit, by_axis([&](std::size_t k) { return answer_.back ? -s.normal[k] : s.normal[k]; }), config_);
+    demand(hit.record == s.record && is_there && hit.path == path_ && hit.cosine == s.cosine,
            "the request to tex has another hit than the ray's");
     texel_.reset();
 }
 
 void PathJudge::filtered(const TexReq& hit, const TexRecord& record, const TexelPlace& place,
                          const TexRsp& answer) {
-    const std::optional<TexturedTriangle>& triangle = cutout_ ? cutout_ : place_.texture;
+    const std::optional<TexturedSurface>& triangle = cutout_ ? cutout_ : place_.texture;
     if (!triangle)
         fail("a surface without a texture is drawn with one");
     else if (const char* wrong = judge_texture(rules_.inputs, *triangle, hit, record, place, answer))
@@ -149,14 +156,14 @@ void PathJudge::texture(const PassIn& in, const PassOut& out) {
     demand(ShadeEvent(s.next_event) == ShadeEvent::arrive, "no pass awaits the hit of a continued ray");
 }
 
-std::optional<TexturedTriangle> PathJudge::textured(std::uint32_t primitive) const {
+std::optional<TexturedSurface> PathJudge::textured(std::uint32_t primitive) const {
     return rules_.placed ? rules_.placed->textured(primitive)
                          : textured_triangle(rules_.inputs.scene, rules_.inputs.lattice.pitch, primitive);
 }
 
 bool PathJudge::has_holes(std::uint32_t primitive) const {
     const auto triangle = textured(primitive);
-    return triangle && triangle->cutoff > 0;
+    return triangle && triangle->kind == PrimKind::triangle && triangle->cutoff > 0;
 }
 
 bool PathJudge::is_hole(std::uint32_t primitive, std::uint32_t u, std::uint32_t v) const {

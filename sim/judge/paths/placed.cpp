@@ -149,6 +149,7 @@ PlacedWorld::Made PlacedWorld::make_round(const PlacedScene& scene) const {
     Made made;
     made.scene.spheres = scene.own.spheres, made.scene.planes = scene.own.planes;
     made.scene.materials = inputs_.scene.materials.empty() ? scene.own.materials : inputs_.scene.materials;
+    made.scene.textures = scene.own.textures;
     made.solids = solids_of(made.scene, inputs_.lattice, config_.coord_bits);
     return made;
 }
@@ -304,10 +305,12 @@ Surface PlacedWorld::surface(std::uint32_t primitive) const {
     return expected_surface(made.scene, made.solids, config_, primitive - placed.first, material(primitive));
 }
 
-std::optional<TexturedTriangle> PlacedWorld::textured(std::uint32_t primitive) const {
+std::optional<TexturedSurface> PlacedWorld::textured(std::uint32_t primitive) const {
     const Placed& placed = instances_[place_of(primitive)];
     if (placed.material) return std::nullopt;
-    return textured_triangle(classes_[placed.mesh_class].scene, glm::dvec3(1), primitive - placed.first);
+    return textured_surface(classes_[placed.mesh_class].scene,
+                            placed.mesh == own_round ? inputs_.lattice : steps(config_.coord_bits),
+                            primitive - placed.first);
 }
 
 bool PlacedWorld::holds_normals(std::uint32_t primitive, const Surface& seen) const {

@@ -38,8 +38,8 @@ public:
     const Material& material(std::uint32_t primitive) const;
     Surface surface(std::uint32_t primitive) const;
     bool holds_normals(std::uint32_t primitive, const Surface& seen) const;
-    /// Returns the triangle in its mesh, if it has a texture. An instance's own material has none.
-    std::optional<TexturedTriangle> textured(std::uint32_t primitive) const;
+    /// Returns the primitive in its mesh, if it shows a texture. An instance's own material has none.
+    std::optional<TexturedSurface> textured(std::uint32_t primitive) const;
     const Plane& plane(std::uint32_t primitive) const;
     bool is_map_of(std::uint32_t place, const Placement& placement) const;
     /// Returns the scene with rounded corners and maps, and no other error. The meshes are in steps of their

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "model/compile/plane.hpp"
 #include "sim/judge/paths/steps.hpp"
 
 namespace rayclock {
@@ -85,13 +86,13 @@ struct Footprint {
     }
 };
 
-/// `s`, `t`: the corners' coordinates in units of 2^-20 pictures.
+/// `s`, `t`: the corners' coordinates in units of 2^-20 pictures. `u`, `v`: whole numbers of 2^-bary_bits.
 Footprint footprint(const FrameInputs& inputs, const Texture& texture, std::size_t level,
-                    const std::array<std::int32_t, 3>& s, const std::array<std::int32_t, 3>& t,
-                    std::uint32_t u, std::uint32_t v) {
+                    const std::array<std::int32_t, 3>& s, const std::array<std::int32_t, 3>& t, Int128 u,
+                    Int128 v) {
     const TexelLevel& picture = texture.pyramid->levels[level];
     const auto at = [&](const std::array<std::int32_t, 3>& c) {
-        return c[0] + floor_of(Int128(u) * (Int128(c[1]) - c[0]) + Int128(v) * (Int128(c[2]) - c[0]),
+        return c[0] + floor_of(u * (Int128(c[1]) - c[0]) + v * (Int128(c[2]) - c[0]),
                                Int128(1) << inputs.config.bary_bits);
     };
     return {picture, on_side(at(s), picture.width, texture.wrap_s, texture.nearest),
@@ -99,54 +100,130 @@ Footprint footprint(const FrameInputs& inputs, const Texture& texture, std::size
             inputs.config.texels == TexelFormat::rgb565};
 }
 
-const char* judge_record(const FrameInputs& inputs, const TexturedTriangle& triangle,
-                         const TexRecord& record) {
-    const Texture& texture = *triangle.texture;
-    const CornerCoordinates& corners = triangle.coordinates;
-    for (std::size_t k = 0; k < 3; ++k)
-        if (!is_nearest(record.s[k], std::ldexp(corners[k].x, 20)) ||
-            !is_nearest(record.t[k], std::ldexp(corners[k].y, 20)))
-            return "memory does not hold the texture coordinates of the triangle that was hit";
+/// True if memory holds the nearest numbers to three corners' coordinates on one axis. A plane's may all have
+/// moved by the same number of periods.
+bool holds_axis(const std::array<std::int32_t, 3>& held, const CornerCoordinates& corners, int axis,
+                Wrap wrap, PrimKind kind) {
+    const double period = std::ldexp(wrap == Wrap::repeat ? 1.0 : 2.0, 20);
+    const bool moves = kind == PrimKind::plane && wrap != Wrap::clamp;
+    const double shift =
+        moves ? period * std::round((std::ldexp(corners[0][axis], 20) - held[0]) / period) : 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double value = std::ldexp(corners[k][axis], 20);
+        // A plane's own point may be far away: its coordinates are then larger, and a double rounds them.
+        const double error = kind == PrimKind::plane ? 0x1p-50 * std::abs(value) : 0;
+        if (!is_nearest(held[k], value - shift, error)) return false;
+    }
+    return true;
+}
+
+const char* judge_record(const FrameInputs& inputs, const TexturedSurface& surface, const TexRecord& record) {
+    const Texture& texture = *surface.texture;
+    const CornerCoordinates& corners = surface.coordinates;
+    const bool holds_none =
+        surface.is_average && record.s == std::array<std::int32_t, 3>{} && record.t == record.s;
+    if (!holds_none &&
+        (surface.is_average || !holds_axis(record.s, corners, 0, texture.wrap_s, surface.kind) ||
+         !holds_axis(record.t, corners, 1, texture.wrap_t, surface.kind)))
+        return "memory does not hold the texture coordinates of the surface that was hit";
     const std::vector<TexelLevel>& levels = texture.pyramid->levels;
     const auto mode = [](Wrap wrap) { return std::uint32_t(wrap); };   // the same order: repeat, mirror,
                                                                        // clamp
     if (levels[0].width != 1 << record.log_width || levels[0].height != 1 << record.log_height ||
         record.wrap_s != mode(texture.wrap_s) || record.wrap_t != mode(texture.wrap_t) ||
         (record.nearest != 0) != texture.nearest ||
-        record.last_level != (texture.mipmaps ? levels.size() - 1 : 0))
-        return "memory does not hold the texture of the triangle that was hit";
-    const double cutoff = triangle.cutoff;
+        record.last_level != (texture.mipmaps || surface.is_average ? levels.size() - 1 : 0))
+        return "memory does not hold the texture of the surface that was hit";
+    const double cutoff = surface.cutoff;
     const bool holds_cutoff =
         cutoff > 0 ? record.cutoff > 0 && is_nearest(record.cutoff, std::max(255 * cutoff, 1.0))
                    : record.cutoff == 0;
     if (!holds_cutoff) return "memory does not hold the cut-off of the texture that was hit";
-    // Half the logarithm of the quotient of two areas.
-    const auto& [p, q, r] = triangle.corners;
-    const double area = glm::length(glm::cross(q - p, r - p));
-    const glm::dvec2 e1 = corners[1] - corners[0], e2 = corners[2] - corners[0];
-    const double texels = std::abs(e1.x * e2.y - e1.y * e2.x) * levels[0].width * levels[0].height;
     const double most = std::exp2(level_bits - 1) - 1;
-    const double density = texels > 0 && area > 0
-                               ? 32 * (std::log2(texels) - std::log2(area)) - 64 * inputs.config.t_frac_bits
-                               : -most;
+    const double density = surface.is_average ? most : 64 * (surface.detail - inputs.config.t_frac_bits);
     // Corners of large triangles have moved by up to 2^-13 of an edge.
-    if (!is_nearest(record.density, std::clamp(density, -most, most), 0.05))
+    const double error = surface.kind == PrimKind::triangle ? 0.05 : 0;
+    if (!is_nearest(record.density, std::clamp(density, -most, most), error))
         return "memory does not hold the density of the texture that was hit";
     return nullptr;
 }
 
+/// Returns log2 of the texels per unit of length: half the logarithm of a quotient of areas. `normal`: the
+/// cross product of two sides, between which the coordinates are given.
+double detail_of(const Texture& texture, const CornerCoordinates& corners, const glm::dvec3& normal) {
+    const TexelLevel& level = texture.pyramid->levels[0];
+    const glm::dvec2 e1 = corners[1] - corners[0], e2 = corners[2] - corners[0];
+    const double texels = std::abs(e1.x * e2.y - e1.y * e2.x) * level.width * level.height,
+                 area = glm::length(normal);
+    return texels > 0 && area > 0 ? 0.5 * (std::log2(texels) - std::log2(area)) : -HUGE_VAL;
+}
+
+/// Sets the coordinates at a plane's corners in memory, which count squares from the plane's own point.
+void set_plane(const Plane& plane, const PlaneOnLattice& on, TexturedSurface& out) {
+    const glm::dvec2 along_u = plane.coordinates[1] - plane.coordinates[0],
+                     along_v = plane.coordinates[2] - plane.coordinates[0];
+    const auto at = [&](double sides_u, double sides_v) {
+        return plane.coordinates[0] + std::exp2(-on.level[0]) * sides_u * along_u +
+               std::exp2(-on.level[1]) * sides_v * along_v;
+    };
+    out.coordinates = {at(on.at[0], on.at[1]), at(on.at[0] + 1, on.at[1]), at(on.at[0], on.at[1] + 1)};
+    for (int axis = 0; axis < 2; ++axis) {
+        const auto& c = out.coordinates;
+        double low = std::min({c[0][axis], c[1][axis], c[2][axis]}),
+               high = std::max({c[0][axis], c[1][axis], c[2][axis]});
+        // Periods are taken away until the middle lies in the first one.
+        const Wrap wrap = axis == 0 ? out.texture->wrap_s : out.texture->wrap_t;
+        if (wrap != Wrap::clamp) {
+            const double period = wrap == Wrap::repeat ? 1 : 2,
+                         shift = period * std::floor((low + high) / 2 / period);
+            low -= shift, high -= shift;
+        }
+        out.is_average |= !(low >= -most_coordinate && high <= most_coordinate);
+    }
+}
+
 }   // namespace
 
-std::optional<TexturedTriangle> textured_triangle(const Scene& scene, const glm::dvec3& pitch,
-                                                  std::size_t primitive) {
-    if (primitive >= scene.triangles.size() || scene.coordinates.empty()) return std::nullopt;
-    const Triangle& triangle = scene.triangles[primitive];
-    const Material& material = scene.materials[triangle.material];
-    if (!material.texture) return std::nullopt;
-    TexturedTriangle found{
-        &scene.textures[*material.texture], scene.coordinates[primitive], {}, material.cutoff};
-    for (std::size_t k = 0; k < 3; ++k) found.corners[k] = scene.vertices[triangle.vertex[k]] / pitch;
+std::optional<TexturedSurface> textured_surface(const Scene& scene, const Lattice& lattice,
+                                                std::size_t primitive) {
+    const std::size_t triangles = scene.triangles.size(), planes = triangles + scene.spheres.size();
+    const Material& material = material_of(scene, primitive);
+    if (!material.texture || (primitive < triangles && scene.coordinates.empty())) return std::nullopt;
+    TexturedSurface found;
+    found.texture = &scene.textures[*material.texture];
+    if (primitive < triangles) {
+        const auto& vertex = scene.triangles[primitive].vertex;
+        found.coordinates = scene.coordinates[primitive], found.cutoff = material.cutoff;
+        const auto corner = [&](std::size_t k) { return scene.vertices[vertex[k]] / lattice.pitch; };
+        found.detail = detail_of(*found.texture, found.coordinates,
+                                 glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+    } else if (primitive < planes) {
+        const double radius = scene.spheres[primitive - triangles].radius / lattice.pitch.x;
+        found.kind = PrimKind::sphere;
+        found.coordinates = {{{0, 0}, {1, 0}, {0, 1}}};
+        const TexelLevel& level = found.texture->pyramid->levels[0];
+        found.detail = 0.5 * std::log2(double(level.width) * level.height /
+                                       (4 * 3.14159265358979323846 * radius * radius));
+    } else {
+        const Plane& plane = scene.planes[primitive - planes];
+        found.kind = PrimKind::plane;
+        found.detail = detail_of(*found.texture, plane.coordinates,
+                                 glm::cross(plane.u / lattice.pitch, plane.v / lattice.pitch));
+        set_plane(plane, plane_on_lattice(plane, lattice), found);
+    }
     return found;
+}
+
+bool is_octahedral(const TexReq& hit, const Vec3i& outwards, const Config& config) {
+    const auto size = [&](std::size_t k) { return Int128(outwards[k] < 0 ? -outwards[k] : outwards[k]); };
+    const Int128 whole = size(0) + size(1) + size(2) + 1, half = Int128(1) << (config.bary_bits - 1);
+    const std::array<Int128, 2> middle{floor_of(half * size(0), whole), floor_of(half * size(2), whole)};
+    for (std::size_t i = 0; i < 2; ++i) {
+        // The lower half of the sphere is folded outwards: each axis has the rest that the other one leaves.
+        const Int128 away = outwards[1] < 0 ? half - middle[1 - i] : middle[i];
+        if (Int128(i == 0 ? hit.u : hit.v) != (outwards[2 * i] < 0 ? half - away : half + away)) return false;
+    }
+    return true;
 }
 
 bool is_scale(std::int32_t scale, const std::array<std::int64_t, 9>& a, const Config& config) {
@@ -156,15 +233,22 @@ bool is_scale(std::int32_t scale, const std::array<std::int64_t, 9>& a, const Co
     return is_nearest(scale, 64 * (std::log2(volume) / 3 - config.map_frac()));
 }
 
-std::uint32_t path_length(std::uint32_t before, const Vec3i& d, std::uint32_t t, const Config& config) {
-    std::array<Int128, 3> size{};
-    for (std::size_t k = 0; k < 3; ++k) size[k] = d[k] < 0 ? -Int128(d[k]) : Int128(d[k]);
-    std::sort(size.begin(), size.end());
-    const Int128 length = floor_of(
-        size[2] + floor_of(size[1], 4) + floor_of(size[1], 8) + floor_of(size[0], 4) + floor_of(size[0], 16),
-        Int128(1) << (config.dir_bits - 8));
-    const Int128 path = before + floor_of(length * t, 128), most = (Int128(1) << config.t_bits()) - 1;
-    return std::uint32_t(path < most ? path : most);
+std::uint32_t path_length(std::uint32_t before, const Vec3i& d, std::uint32_t t,
+                          const std::optional<Vec3l>& far_way, const Config& config) {
+    const auto length_of = [](const auto& v) {
+        std::array<Int128, 3> size{};
+        for (std::size_t k = 0; k < 3; ++k) size[k] = v[k] < 0 ? -Int128(v[k]) : Int128(v[k]);
+        std::sort(size.begin(), size.end());
+        return size[2] + floor_of(size[1], 4) + floor_of(size[1], 8) + floor_of(size[0], 4) +
+               floor_of(size[0], 16);
+    };
+    const Int128 added = far_way
+                             ? floor_of(length_of(*far_way) * (Int128(1) << config.t_frac_bits),
+                                        Int128(1) << config.origin_bits)
+                             : floor_of(floor_of(length_of(d), Int128(1) << (config.dir_bits - 8)) * t, 128);
+    const Int128 path = before + added, most = (Int128(1) << (config.t_bits() + (config.planes ? 6 : 0))) - 1,
+                 widest = (Int128(1) << 32) - 1;
+    return std::uint32_t(std::min({path, most, widest}));
 }
 
 bool is_spread(const FrameInputs& inputs, int samples_per_side) {
@@ -173,32 +257,40 @@ bool is_spread(const FrameInputs& inputs, int samples_per_side) {
     return is_nearest(inputs.frame.shade.spread, 64 * (std::log2(width / samples_per_side) - 0.057));
 }
 
-bool is_hole(const FrameInputs& inputs, const TexturedTriangle& triangle, std::uint32_t u, std::uint32_t v) {
-    if (triangle.cutoff <= 0) return false;
+bool is_hole(const FrameInputs& inputs, const TexturedSurface& surface, std::uint32_t u, std::uint32_t v) {
+    if (surface.cutoff <= 0) return false;
     std::array<std::int32_t, 3> s{}, t{};
     for (std::size_t k = 0; k < 3; ++k) {
-        s[k] = std::int32_t(std::llround(std::ldexp(triangle.coordinates[k].x, 20)));
-        t[k] = std::int32_t(std::llround(std::ldexp(triangle.coordinates[k].y, 20)));
+        s[k] = std::int32_t(std::llround(std::ldexp(surface.coordinates[k].x, 20)));
+        t[k] = std::int32_t(std::llround(std::ldexp(surface.coordinates[k].y, 20)));
     }
-    const std::int64_t cutoff = std::max<std::int64_t>(std::llround(255 * triangle.cutoff), 1);
-    return footprint(inputs, *triangle.texture, 0, s, t, u, v).sum(3) < Int128(cutoff) * 65536;
+    const std::int64_t cutoff = std::max<std::int64_t>(std::llround(255 * surface.cutoff), 1);
+    return footprint(inputs, *surface.texture, 0, s, t, u, v).sum(3) < Int128(cutoff) * 65536;
 }
 
-const char* judge_texture(const FrameInputs& inputs, const TexturedTriangle& triangle, const TexReq& hit,
+const char* judge_texture(const FrameInputs& inputs, const TexturedSurface& surface, const TexReq& hit,
                           const TexRecord& record, const TexelPlace& place, const TexRsp& answer) {
-    const Texture* const texture = triangle.texture;
-    if (const char* wrong = judge_record(inputs, triangle, record)) return wrong;
+    const Texture* const texture = surface.texture;
+    if (const char* wrong = judge_record(inputs, surface, record)) return wrong;
+
+    // A plane's u and v are signed. At the ends of their range the texture's last level is drawn.
+    const Int128 end = (Int128(1) << (inputs.config.uv_bits() - 1)) - 1;
+    const auto weight = [&](std::uint32_t x) {
+        return surface.kind == PrimKind::plane && Int128(x) > end ? Int128(x) - 2 * end - 2 : Int128(x);
+    };
+    const Int128 u = weight(hit.u), v = weight(hit.v);
+    const bool ends =
+        surface.kind == PrimKind::plane && (u == end || v == end || u == -end - 1 || v == -end - 1);
 
     const std::int64_t slant = std::max<std::int64_t>(64 * unit_bits - log_in_64ths(hit.cosine), 0) / 2;
     const std::int64_t detail =
         record.density + hit.scale + inputs.frame.shade.spread + log_in_64ths(hit.path) + slant;
-    const Int128 level = hit.path == 0
-                             ? Int128(0)
-                             : std::clamp<Int128>(floor_of(detail + 32, 64), 0, Int128(record.last_level));
+    const Int128 level = hit.path == 0 ? Int128(0)
+                         : ends        ? Int128(record.last_level)
+                                : std::clamp<Int128>(floor_of(detail + 32, 64), 0, Int128(record.last_level));
     if (Int128(place.level) != level) return "a texture's level does not follow from the hit's distance";
 
-    const Footprint texels =
-        footprint(inputs, *texture, std::size_t(level), record.s, record.t, hit.u, hit.v);
+    const Footprint texels = footprint(inputs, *texture, std::size_t(level), record.s, record.t, u, v);
     if ((answer.hole != 0) != (texels.sum(3) < Int128(record.cutoff) * 65536))
         return "a texture has a hole where its picture has none, or none where it has one";
     for (std::size_t k = 0; k < 3; ++k)

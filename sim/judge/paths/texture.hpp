@@ -6,19 +6,29 @@
 
 namespace rayclock {
 
-/// A triangle with a texture, as the scene gives it.
-struct TexturedTriangle {
+/// A surface with a texture, as the scene gives it.
+struct TexturedSurface {
     const Texture* texture = nullptr;
+    PrimKind kind = PrimKind::triangle;
+    /// Of the corners in memory, in pictures. A plane's may differ from memory's by whole periods.
     CornerCoordinates coordinates{};
-    std::array<glm::dvec3, 3> corners{};   ///< in lattice steps
+    /// log2 of the number of texels of level 0 per lattice step.
+    double detail = 0;
     double cutoff = 0;
+    bool is_average = false;   ///< a plane whose coordinates do not fit: it shows its last level
 };
-/// Returns a triangle of a scene, if it has a texture. `pitch`: scene units in a lattice step.
-std::optional<TexturedTriangle> textured_triangle(const Scene& scene, const glm::dvec3& pitch,
-                                                  std::size_t primitive);
+/// Returns a primitive of a scene, if it shows a texture.
+std::optional<TexturedSurface> textured_surface(const Scene& scene, const Lattice& lattice,
+                                                std::size_t primitive);
 
-/// Returns the length of a path after a ray, by the rule in docs/machine/shading.md.
-std::uint32_t path_length(std::uint32_t before, const Vec3i& d, std::uint32_t t, const Config& config);
+/// True if a request to tex has the place of a sphere's normal in the octahedral picture. `outwards`: the
+/// unit normal that the chip found, 16 fraction bits.
+bool is_octahedral(const TexReq& hit, const Vec3i& outwards, const Config& config);
+
+/// Returns the length of a path after a ray, by the rule in docs/machine/shading.md. `far_way`: on a plane
+/// whose t is saturated, the way from the ray's origin to the hit, in units of 2^-B.
+std::uint32_t path_length(std::uint32_t before, const Vec3i& d, std::uint32_t t,
+                          const std::optional<Vec3l>& far_way, const Config& config);
 
 /// True if the register for the spread of samples holds the nearest number.
 bool is_spread(const FrameInputs& inputs, int samples_per_side);
@@ -27,11 +37,11 @@ bool is_spread(const FrameInputs& inputs, int samples_per_side);
 bool is_scale(std::int32_t scale, const std::array<std::int64_t, 9>& a, const Config& config);
 
 /// True if a triangle has a hole at a hit, at level 0. u and v: as in Closest.
-bool is_hole(const FrameInputs& inputs, const TexturedTriangle& triangle, std::uint32_t u, std::uint32_t v);
+bool is_hole(const FrameInputs& inputs, const TexturedSurface& triangle, std::uint32_t u, std::uint32_t v);
 
 /// Returns a fault, or null. Judges the texture record (each number must be the nearest one to the scene's
 /// number), the level, and the colour, to the bit.
-const char* judge_texture(const FrameInputs& inputs, const TexturedTriangle& triangle, const TexReq& hit,
+const char* judge_texture(const FrameInputs& inputs, const TexturedSurface& surface, const TexReq& hit,
                           const TexRecord& record, const TexelPlace& place, const TexRsp& answer);
 
 }   // namespace rayclock

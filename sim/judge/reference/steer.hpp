@@ -27,10 +27,10 @@ struct RefSurface {
     bool is_hole = false;     ///< the texture has a hole there
 };
 
-/// The picture of a textured triangle at a hit.
+/// The picture of a textured surface at a hit.
 struct RefTexel {
     glm::dvec2 st{0};
-    double detail = 0;     ///< texture_detail() of the triangle
+    double detail = 0;     ///< texture_detail() of the surface
     double distance = 0;   ///< length of the path from the eye, in scene units
     double spread = 0;     ///< sample_spread() of the picture
     double cosine = 1;     ///< between the reversed ray and the shading normal
@@ -68,8 +68,8 @@ public:
     virtual void round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals, bool is_open) = 0;
     /// Returns a plane's colour at the hit.
     virtual glm::dvec3 square(const RefClosest& hit, const Material& material, const glm::dvec3& own) = 0;
-    /// Replaces the picture's colour at a hit of a textured triangle, and the flag for a hole. `surface` has
-    /// no colour yet.
+    /// Replaces the picture's colour at a hit of a textured surface, and the flag for a hole. `surface` has
+    /// the colour without the picture, and normals that point outwards.
     virtual void texel(const RefClosest& hit, const RefSurface& surface, RefTexel& own) = 0;
     /// Replaces the point from which rays leave.
     virtual void place(RefSurface& surface) = 0;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <optional>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -63,6 +64,8 @@ private:
     void on_triangle(const RefPath& path, const RefClosest& hit, RefSurface& surface) const;
     void on_sphere(const RefPath& path, const RefClosest& hit, RefSurface& surface) const;
     void on_plane(const RefClosest& hit, RefSurface& surface) const;
+    void find_place(const Texture& texture, const RefClosest& hit, const RefSurface& surface,
+                    RefTexel& texel) const;
     glm::dvec3 picture(const RefPath& path, const RefClosest& hit, RefSurface& surface) const;
 
     static RefPath leave(const RefSurface& surface, const glm::dvec3& direction, bool goes_through);
@@ -129,19 +132,43 @@ void Tracer::on_plane(const RefClosest& hit, RefSurface& surface) const {
     if (steer_) surface.colour = steer_->square(hit, *surface.material, surface.colour);
 }
 
-/// Returns the factor of a triangle's colour: the colour of its texture, or 1. Determines whether the texture
-/// has a hole.
+/// Finds the place in the texture of the surface that was hit, and the texture's density there.
+void Tracer::find_place(const Texture& texture, const RefClosest& hit, const RefSurface& surface,
+                        RefTexel& texel) const {
+    const std::size_t triangles = scene_.triangles.size(), planes = triangles + scene_.spheres.size();
+    const auto between = [&](const CornerCoordinates& c) {
+        return (1 - hit.u - hit.v) * c[0] + hit.u * c[1] + hit.v * c[2];
+    };
+    if (hit.primitive < triangles) {
+        texel.st = between(scene_.coordinates[hit.primitive]);
+        texel.detail = texture_detail(scene_, hit.primitive);
+    } else if (hit.primitive < planes) {
+        texel.st = octahedral_place(surface.normal);
+        texel.detail = texture_detail(texture, scene_.spheres[hit.primitive - triangles]);
+    } else {
+        const Plane& plane = scene_.planes[hit.primitive - planes];
+        texel.st = between(plane.coordinates);
+        texel.detail = texture_detail(texture, plane);
+    }
+}
+
+/// Returns the factor of a surface's colour: the colour of its texture, or 1. Determines whether the texture
+/// of a triangle has a hole.
 glm::dvec3 Tracer::picture(const RefPath& path, const RefClosest& hit, RefSurface& surface) const {
-    if (!surface.material->texture || scene_.coordinates.empty()) return glm::dvec3(1);
-    const Texture& texture = scene_.textures[*surface.material->texture];
-    const auto& [a, b, c] = scene_.coordinates[hit.primitive];
-    RefTexel own{(1 - hit.u - hit.v) * a + hit.u * b + hit.v * c,    texture_detail(scene_, hit.primitive),
-                 surface.travelled / geometry_.space().scale,        spread_,
-                 std::abs(glm::dot(surface.normal, path.direction)), glm::dvec3(0)};
+    const std::optional<std::uint32_t> number = texture_of(scene_, hit.primitive);
+    if (!number) return glm::dvec3(1);
+    const Texture& texture = scene_.textures[*number];
+    RefTexel own{glm::dvec2(0),
+                 0,
+                 surface.travelled / geometry_.space().scale,
+                 spread_,
+                 std::abs(glm::dot(surface.normal, path.direction)),
+                 glm::dvec3(0)};
+    find_place(texture, hit, surface, own);
     const double lod = level_of_detail(own.detail, own.distance, own.spread, own.cosine);
     const glm::dvec4 found = filtered_with_alpha(texture, own.st, level_of(texture, lod));
     own.colour = glm::dvec3(found);
-    own.is_hole = found.a < surface.material->cutoff;
+    own.is_hole = hit.primitive < scene_.triangles.size() && found.a < surface.material->cutoff;
     if (steer_) steer_->texel(hit, surface, own);
     surface.is_hole = own.is_hole;
     return own.colour;
@@ -159,7 +186,7 @@ RefSurface Tracer::surface_of(const RefPath& path, const RefClosest& hit) const 
     if (hit.primitive < scene_.triangles.size() + scene_.spheres.size())
         surface.colour = surface.material->colour;
     surface.travelled = path.travelled + hit.depth;
-    if (hit.primitive < scene_.triangles.size()) surface.colour *= picture(path, hit, surface);
+    surface.colour *= picture(path, hit, surface);
     // Until here both normals point outwards.
     surface.is_inside = glm::dot(surface.flat, path.direction) > 0;
     if (surface.is_inside) {

@@ -46,6 +46,75 @@ glm::dvec2 point_of(const JsonValue& in) {
     return {in[0].number(), in[1].number()};
 }
 
+int number_or(const JsonValue& in, std::string_view key, int usual, int least, int most) {
+    const auto value = in.find(key);
+    if (!value) return usual;
+    const double number = value->number();
+    if (number != std::floor(number) || number < least || number > most)
+        value->expected(fmt::format("a whole number from {} to {}", least, most));
+    return int(number);
+}
+
+int texels_on_side(const JsonValue& in) {
+    const double number = in.number();
+    if (!(number >= 1 && number <= most_texture_side) || std::exp2(std::ilogb(number)) != number)
+        in.expected(fmt::format("a power of two from 1 to {}", most_texture_side));
+    return int(number);
+}
+
+Pattern::Kind pattern_kind(const JsonValue& in) {
+    if (in.raw() == "checker") return Pattern::Kind::checker;
+    if (in.raw() == "bricks") return Pattern::Kind::bricks;
+    if (in.raw() == "gradient") return Pattern::Kind::gradient;
+    if (in.raw() == "noise") return Pattern::Kind::noise;
+    in.expected("\"checker\", \"bricks\", \"gradient\" or \"noise\"");
+}
+
+/// Throws UserError for a key of another kind of pattern.
+void check_pattern_keys(const JsonValue& in, Pattern::Kind kind) {
+    switch (kind) {
+        case Pattern::Kind::checker:
+            return in.only_keys(
+                {"pattern", "size", "colours", "columns", "rows", "wrap", "filter", "mipmaps"});
+        case Pattern::Kind::bricks:
+            return in.only_keys(
+                {"pattern", "size", "colours", "columns", "rows", "joint", "wrap", "filter", "mipmaps"});
+        case Pattern::Kind::gradient:
+            return in.only_keys({"pattern", "size", "colours", "wrap", "filter", "mipmaps"});
+        case Pattern::Kind::noise:
+            return in.only_keys({"pattern", "size", "colours", "columns", "rows", "octaves", "seed", "wrap",
+                                 "filter", "mipmaps"});
+    }
+}
+
+Pattern pattern_of(const JsonValue& in) {
+    Pattern out;
+    out.kind = pattern_kind(in.at("pattern"));
+    check_pattern_keys(in, out.kind);
+    if (const auto size = in.find("size")) {
+        const bool has_two = size->raw().is_array() && size->size() == 2;
+        out.width = texels_on_side(has_two ? (*size)[0] : *size);
+        out.height = texels_on_side(has_two ? (*size)[1] : *size);
+    }
+    if (const auto colours = in.find("colours")) {
+        const bool is_pair = out.kind == Pattern::Kind::bricks;
+        if (colours->array().size() < 2 || (is_pair && colours->size() > 2))
+            colours->expected(is_pair ? "a list of 2 colours, of the bricks and of their joints"
+                                      : "a list of at least 2 colours");
+        out.colours.clear();
+        for (std::size_t i = 0; i < colours->size(); ++i) out.colours.push_back(colour_of((*colours)[i]));
+    }
+    if (out.kind == Pattern::Kind::bricks) out.columns = 4, out.rows = 8;
+    if (out.kind == Pattern::Kind::noise) out.columns = out.rows = 4;
+    out.octaves = number_or(in, "octaves", out.octaves, 1, most_octaves);
+    const int most = out.kind == Pattern::Kind::noise ? most_cells >> (out.octaves - 1) : most_cells;
+    out.columns = number_or(in, "columns", out.columns, 1, most);
+    out.rows = number_or(in, "rows", out.rows, 1, most);
+    weight(in, "joint", out.joint);
+    if (const auto seed = in.find("seed")) out.seed = seed->whole(std::uint64_t(1) << 53);
+    return out;
+}
+
 /// Reads a vector that can span a plane: its length lies within 1e-100 and 1e100.
 glm::dvec3 side(const JsonValue& in) {
     const glm::dvec3 v = in.triple();
@@ -122,9 +191,14 @@ JsonTexture texture_of(const JsonValue& in) {
         out.file = in.string();
         return out;
     }
-    if (!in.raw().is_object()) in.expected("the name of a picture, or an object with 'file'");
-    in.only_keys({"file", "wrap", "filter", "mipmaps"});
-    out.file = in.at("file").string();
+    if (!in.raw().is_object()) in.expected("the name of a picture, or an object with 'file' or 'pattern'");
+    if (in.find("pattern")) {
+        if (in.find("file")) in.refuse("has both 'file' and 'pattern'");
+        out.pattern = pattern_of(in);
+    } else {
+        in.only_keys({"file", "pattern", "wrap", "filter", "mipmaps"});
+        out.file = in.at("file").string();
+    }
     if (const auto wrap = in.find("wrap")) {
         if (wrap->raw().is_array() && wrap->size() == 2)
             out.texture.wrap_s = wrap_of((*wrap)[0]), out.texture.wrap_t = wrap_of((*wrap)[1]);
@@ -174,22 +248,33 @@ bool flag_or(const JsonValue& in, std::string_view key, bool otherwise) {
 }
 
 Sphere sphere_of(const JsonValue& in) {
-    in.only_keys({"centre", "radius", "material"});
+    in.only_keys({"centre", "radius", "material", "rotate"});
     Sphere sphere;
     sphere.centre = in.at("centre").triple();
     sphere.radius = in.at("radius").number();
     if (!(sphere.radius > 0)) in.at("radius").expected("a number above 0");
+    if (const auto rotate = in.find("rotate")) sphere.turn = glm::mat3_cast(quaternion(turn_of(*rotate)));
     return sphere;
 }
 
 Plane plane_of(const JsonValue& in) {
-    in.only_keys({"point", "u", "v", "material"});
+    in.only_keys({"point", "u", "v", "material", "coordinates"});
     Plane plane;
     plane.point = in.at("point").triple();
     plane.u = side(in.at("u"));
     plane.v = side(in.at("v"));
     if (!(glm::length(glm::cross(glm::normalize(plane.u), glm::normalize(plane.v))) > 1e-9))
         in.at("v").expected("a direction that is not parallel to u");
+    if (const auto corners = in.find("coordinates")) {
+        if (!corners->raw().is_array() || corners->size() != 3)
+            corners->expected("3 points [s, t], at point, point + u and point + v");
+        for (std::size_t i = 0; i < 3; ++i) {
+            plane.coordinates[i] = point_of((*corners)[i]);
+            for (const double x : {plane.coordinates[i].x, plane.coordinates[i].y})
+                if (!(std::abs(x) <= most_given_coordinate))
+                    (*corners)[i].expected(fmt::format("within -{0} and {0}", most_given_coordinate));
+        }
+    }
     return plane;
 }
 

@@ -4,6 +4,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "model/scene/motion.hpp"
+#include "model/scene/pattern.hpp"
 #include "model/scene/scene.hpp"
 #include "sim/files/json_value.hpp"
 
@@ -21,8 +22,9 @@ Material material_of_keys(const JsonValue& in, Material material);
 
 /// The value of a material's key "texture".
 struct JsonTexture {
-    std::string file;   ///< relative to the scene file
-    Texture texture;    ///< without its picture
+    std::string file;                 ///< relative to the scene file; empty: a pattern
+    std::optional<Pattern> pattern;   ///< instead of a file
+    Texture texture;                  ///< without its picture
 };
 JsonTexture texture_of(const JsonValue& in);
 

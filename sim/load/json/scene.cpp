@@ -82,12 +82,29 @@ private:
         Material made = material_of_keys(in, {.name = name});
         if (const auto texture = in.find("texture")) {
             const JsonTexture given = texture_of(*texture);
-            const JsonValue file = texture->raw().is_object() ? texture->at("file") : *texture;
-            give_picture(made, given, file);
+            if (given.pattern)
+                give_pattern(made, given, *texture);
+            else
+                give_picture(made, given, texture->raw().is_object() ? texture->at("file") : *texture);
         } else if (const auto cutoff = in.find("cutoff")) {
             cutoff->refuse("makes holes by the alpha of a texture, and this material has no texture");
         }
         return made;
+    }
+
+    /// Paints a pattern. The load draws it, or its average colour.
+    void give_pattern(Material& material, const JsonTexture& given, const JsonValue& from) {
+        const Pattern& pattern = *given.pattern;
+        make_room(from, 2 * sizeof(TexelLevel::texels[0]) * std::uint64_t(pattern.width) *
+                            std::uint64_t(pattern.height));
+        Texture painted = rayclock::texture_of(pattern);
+        if (!library_.loading().draws_textures()) {
+            material.colour *= average_of(painted);
+            return;
+        }
+        material.texture = static_cast<std::uint32_t>(scene_.textures.size());
+        scene_.textures.push_back(given.texture);
+        scene_.textures.back().name = painted.name, scene_.textures.back().pyramid = painted.pyramid;
     }
 
     /// Reads a picture. The load draws it, or its average colour.

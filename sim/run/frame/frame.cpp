@@ -278,12 +278,11 @@ HitFrame scaled(const Job& job, const Frame& frame, const std::vector<Closest>& 
         picture.hits.push_back(scale({i % frame.width, i / frame.width, hits[i]}));
         if (is_in(job.mirrored, hits[i].found ? hits[i].prim : no_primitive))
             std::swap(picture.hits.back().u, picture.hits.back().v);
-        if (!job.config.planes || !hits[i].found || hits[i].t != beyond) continue;
-        const auto surface =
-            unpack<Surface>(job.image.line(job.image.first_surface_line + hits[i].prim), job.config);
-        if (PrimKind(surface.kind) == PrimKind::plane)
-            picture.hits.back().depth =
-                depth_on_plane(hits[i], surface, frame.eye, job.image.lattice, job.config);
+        const bool is_plane = job.config.planes && hits[i].found && hits[i].prim >= job.image.first_plane;
+        if (!is_plane || hits[i].t != beyond) continue;
+        const std::uint32_t line = job.image.first_plane_surface_line + hits[i].prim - job.image.first_plane;
+        picture.hits.back().depth = depth_on_plane(hits[i], unpack<Surface>(job.image.line(line), job.config),
+                                                   frame.eye, job.image.lattice, job.config);
     }
     return picture;
 }

@@ -259,16 +259,18 @@ void parts(Package& p, const Config& config) {
     p.part<ShadeState>("shade_share", {"share"});
     p.part<ShadeState>("shade_samples", {"sample", "sum", "least", "most"});
     p.part<ShadeState>("shade_waits", {"waiting", "total"});
-    p.part<ShadeState>("shade_look", {"diffuse", "highlight", "mirror", "shine", "ambient", "record"});
+    p.part<ShadeState>("shade_look",
+                       {"diffuse", "highlight", "mirror", "shine", "ambient", "record", "is_round"});
     p.part<ShadeState>("shade_bend", {"transmit", "ratio", "schlick", "r0"});
     p.part<ShadeState>("shade_self", {"self", "is_inside"});
     p.part<ShadeState>("material", {"diffuse", "highlight", "mirror", "shine", "ambient", "record",
-                                    "transmit", "ratio", "schlick", "r0", "self", "is_inside"});
+                                    "is_round", "transmit", "ratio", "schlick", "r0", "self", "is_inside"});
 }
 
 /// Adds widths and latencies that follow from the parameters.
 void derived(Package& p, const Config& c) {
     p.constant("TBits", c.t_bits());
+    p.constant("PathBits", c.path_bits());
     p.constant("EdgeBits", c.edge_bits());
     p.constant("NumBits", c.num_bits());
     p.constant("OriginBits", c.origin_frac());
@@ -391,6 +393,7 @@ void derived(Package& p, const Config& c) {
     p.constant("TriLatency", c.tri_latency());
     p.constant("TexAddressStages", stages.tex_address);
     p.constant("TexFilterStages", stages.tex_filter);
+    p.constant("OctahedralSteps", c.bary_bits / 2);   // of two bits: the quotient has bary_bits - 1
     p.constant("ShadeStages", stages.pass);
     p.constant("ShadeCut", stages.pass_cut);
     p.constant("ShadeOut", stages.pass_out);

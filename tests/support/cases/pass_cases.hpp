@@ -126,7 +126,7 @@ inline Surface random_surface(Draw& draw, const Config& c) {
     for (auto* x : {&s.mirror, &s.transmit, &s.r0}) *x = share_up_to(draw, unit_bits);
     s.shine = std::uint32_t(draw.natural(shine_bits));
     s.enter = std::uint32_t(draw.natural(ratio_bits)), s.leave = std::uint32_t(draw.natural(ratio_bits));
-    if (c.has_textures() && s.kind == 0 && draw.coin())
+    if (c.has_textures() && draw.coin())
         s.record = std::uint32_t(std::max<std::uint64_t>(draw.natural(c.addr_bits), 1));
     return s;
 }
@@ -141,6 +141,7 @@ inline Closest random_closest(Draw& draw, const Config& c, const Surface& surfac
         const std::uint32_t mask = (1u << c.uv_bits()) - 1;
         hit.u = std::uint32_t(draw.number(draw.between(2, c.uv_bits()))) & mask,
         hit.v = std::uint32_t(draw.number(draw.between(2, c.uv_bits()))) & mask;
+        if (draw.percent(30)) hit.t = (1u << c.t_bits()) - 1;   // too far away for t
     } else if (surface.kind == std::uint32_t(PrimKind::triangle)) {
         const std::uint32_t one = 1u << c.bary_bits;
         hit.u = std::uint32_t(draw.percent(10) ? one : draw.natural(c.bary_bits));
@@ -192,15 +193,16 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
     s.next_event = std::uint32_t(draw.below(c.has_homes() ? 6 : 5));
     if (c.has_textures()) {
         if (draw.percent(15)) s.next_event = std::uint32_t(ShadeEvent::texture);
-        s.path = std::uint32_t(draw.natural(draw.between(1, c.t_bits())));
+        s.path = std::uint32_t(draw.natural(draw.between(1, c.path_bits())));
         s.ambient = share_up_to(draw, share_bits);
         s.record = draw.coin() ? 0 : std::uint32_t(draw.natural(c.addr_bits));
+        s.round = c.spheres && draw.coin();
         s.holes = std::uint32_t(draw.coin()        ? 0
                                 : draw.percent(40) ? most_holes
                                 : draw.percent(40) ? most_holes - 1
                                                    : int(draw.natural(hole_bits)));
     }
-    // Only triangles have textures, and their points lie in the lattice.
+    // Rays continue only through triangles, whose points lie in the lattice.
     const bool is_textured = s.next_event == std::uint32_t(ShadeEvent::texture);
     if (s.next_event == std::uint32_t(ShadeEvent::light) && frame.shade.lights == 0) s.next_event = 0;
     if (s.next_event == std::uint32_t(ShadeEvent::refract) && !c.refraction)
@@ -252,10 +254,10 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
     return s;
 }
 
-/// A plane beyond the lattice never belongs to a transformed instance.
+/// A plane or a sphere never belongs to a transformed instance.
 inline Placement pass_placement(Draw& draw, const Config& c, const ShadeState& state) {
     Placement p = random_placement(draw, c);
-    if (!state.far && draw.percent(70)) return p;
+    if (!state.far && !state.round && draw.percent(70)) return p;
     p.same = 1, p.a = {}, p.b = {};
     for (std::size_t k = 0; k < 3; ++k) p.a[4 * k] = 1 << c.map_frac();
     return p;
@@ -280,7 +282,7 @@ inline PassIn random_pass(Draw& draw, const Frame& frame, const Config& c) {
         in.top.weight = share_up_to(draw, unit_bits), in.top.depth = std::uint32_t(draw.below(16));
         in.top.self = std::uint32_t(draw.natural(c.prim_bits)), in.top.inside = draw.coin();
         in.top.cell = random_cell(draw, c), in.top.partial = c.horizon && draw.coin();
-        if (c.has_textures()) in.top.path = std::uint32_t(draw.natural(c.t_bits()));
+        if (c.has_textures()) in.top.path = std::uint32_t(draw.natural(c.path_bits()));
     }
     if (c.has_textures()) in.texel = shares_up_to(draw, share_bits), in.hole = draw.coin();
     if (c.has_homes()) {

@@ -14,7 +14,7 @@ __extension__ using Int128 = __int128;
 
 /// Returns a chip with textures. "rgb888" has the widths of default, "rgb565" those of ulx3s-shaded. "narrow"
 /// has few contexts, few bits of u and v, and the shortest addresses. "fine" has the most bits of u and v.
-/// "levels" has two levels.
+/// "levels" has two levels. "planes" has planes, whose u and v are signed, and "wide" the most bits of them.
 inline Config tex_config(const std::string& name) {
     Config c = named_config(name == "rgb565" ? "ulx3s-shaded" : "default");
     c.name = name;
@@ -23,6 +23,8 @@ inline Config tex_config(const std::string& name) {
     if (name == "narrow") c.contexts = 2, c.bary_bits = 4, c.addr_bits = 16, c.origin_bits = 4;
     if (name == "fine") c.bary_bits = 24;
     if (name == "levels") c.levels = 2;
+    if (name == "planes" || name == "wide") c.planes = 1;
+    if (name == "wide") c.bary_bits = 19, c.t_frac_bits = 8;
     check_config(c, name);
     return c;
 }
@@ -60,6 +62,19 @@ inline int slant_in_64ths(std::uint32_t cosine) {
 inline int level_in_64ths(const TexReq& hit, const TexRecord& record, int spread) {
     return record.density + hit.scale + spread + log_in_64ths(hit.path) + slant_in_64ths(hit.cosine);
 }
+/// Returns u or v of a hit as a whole number of 2^-bary_bits.
+inline Int128 weight_in(std::uint32_t x, const Config& c) {
+    const Int128 range = Int128(1) << c.uv_bits();
+    return c.planes && 2 * Int128(x) >= range ? Int128(x) - range : Int128(x);
+}
+/// True if u or v lies at an end of its range, on a plane.
+inline bool is_at_end(const TexReq& hit, const Config& c) {
+    const Int128 most = (Int128(1) << (c.uv_bits() - 1)) - 1;
+    const auto ends = [&](std::uint32_t x) {
+        return weight_in(x, c) == most || weight_in(x, c) == -most - 1;
+    };
+    return c.planes && (ends(hit.u) || ends(hit.v));
+}
 /// A path of 0 asks for level 0.
 inline int wanted_level(const TexReq& hit, const TexRecord& record, int spread) {
     if (hit.path == 0) return 0;
@@ -74,10 +89,10 @@ struct AxisPlace {
 /// `side`: the level's texels on this axis. The coordinate is exact until it is rounded down to 2^-20
 /// pictures, and once more to 256ths of a texel.
 inline AxisPlace wanted_on_axis(const TexReq& hit, const std::array<std::int32_t, 3>& corner, int side,
-                                std::uint32_t wrap, bool nearest, int bary_bits) {
-    const Int128 one = Int128(1) << bary_bits, picture = Int128(1) << 20;
-    const Int128 sum =
-        Int128(corner[0]) * (one - hit.u - hit.v) + Int128(corner[1]) * hit.u + Int128(corner[2]) * hit.v;
+                                std::uint32_t wrap, bool nearest, const Config& c) {
+    const Int128 one = Int128(1) << c.bary_bits, picture = Int128(1) << 20;
+    const Int128 u = weight_in(hit.u, c), v = weight_in(hit.v, c);
+    const Int128 sum = Int128(corner[0]) * (one - u - v) + Int128(corner[1]) * u + Int128(corner[2]) * v;
     Int128 at = floor_by(sum, one);
     if (WrapMode(wrap) == WrapMode::repeat) {
         at -= picture * floor_by(at, picture);
@@ -114,15 +129,16 @@ inline WantedPlace wanted_place(const TexReq& hit, const TexRecord& record, int 
     const WantedTile tile = wanted_tile(c.texels);
     WantedPlace place;
     place.cutoff = int(record.cutoff);
-    place.level = wanted_level(hit, record, spread);
+    place.level =
+        hit.path != 0 && is_at_end(hit, c) ? int(record.last_level) : wanted_level(hit, record, spread);
     const auto halved = [](std::uint32_t log, int times) { return std::max((1 << log) >> times, 1); };
     const auto lines = [&](int level) {
         return tiles_on(halved(record.log_width, level), tile.width) *
                tiles_on(halved(record.log_height, level), tile.height);
     };
     const int width = halved(record.log_width, place.level), height = halved(record.log_height, place.level);
-    const AxisPlace x = wanted_on_axis(hit, record.s, width, record.wrap_s, record.nearest, c.bary_bits),
-                    y = wanted_on_axis(hit, record.t, height, record.wrap_t, record.nearest, c.bary_bits);
+    const AxisPlace x = wanted_on_axis(hit, record.s, width, record.wrap_s, record.nearest, c),
+                    y = wanted_on_axis(hit, record.t, height, record.wrap_t, record.nearest, c);
     place.x = x.texel % tile.width, place.y = y.texel % tile.height;
     place.weight_x = x.weight, place.weight_y = y.weight;
     Int128 line = record.base;
@@ -247,13 +263,24 @@ inline TexRecord random_record(Draw& draw, const Config& c) {
 /// Draws a hit. Does not set `ray` and `record`.
 inline TexReq random_hit(Draw& draw, const Config& c) {
     TexReq hit;
-    hit.path = std::uint32_t(draw.natural(draw.coin() ? c.t_bits() : draw.between(1, c.t_bits())));
+    hit.path = std::uint32_t(draw.natural(draw.coin() ? c.path_bits() : draw.between(1, c.path_bits())));
     if (draw.percent(5)) hit.path = 0;
     const std::uint32_t one = 1u << unit_bits;
     hit.cosine = draw.percent(20) ? one : std::min(std::uint32_t(draw.natural(unit_bits)), one);
     const std::uint32_t side = 1u << c.bary_bits;
     hit.u = std::min(std::uint32_t(draw.percent(10) ? side : draw.natural(c.bary_bits)), side);
     hit.v = std::min(std::uint32_t(draw.percent(30) ? side : draw.natural(c.bary_bits)), side - hit.u);
+    // A plane's u and v: anywhere, near a whole side, or at an end or next to it.
+    const auto on_plane = [&] {
+        const std::int64_t whole = draw.number(plane_bits + 1), half = std::int64_t(1) << (c.uv_bits() - 1);
+        const std::int64_t near = (whole << c.bary_bits) + draw.between(-2, 2),
+                           end = draw.coin() ? half - 1 - draw.below(2) : -half + draw.below(2),
+                           x = draw.percent(20) ? end
+                               : draw.coin()    ? near
+                                                : draw.number(c.uv_bits());
+        return std::uint32_t(std::clamp(x, -half, half - 1)) & std::uint32_t((2 * half) - 1);
+    };
+    if (c.planes && draw.percent(70)) hit.u = on_plane(), hit.v = draw.percent(20) ? hit.v : on_plane();
     if (c.has_homes()) hit.scale = std::int32_t(draw.number(draw.coin() ? level_bits : 10));
     return hit;
 }

@@ -1,0 +1,42 @@
+#pragma once
+// Pictures that formulas make: squares, bricks, gradients and noise.
+#include <cstdint>
+#include <vector>
+
+#include "model/scene/texture.hpp"
+
+namespace rayclock {
+
+/// A picture made by a formula. A texel has the colour of the formula at its middle. Noise repeats without a
+/// seam. So do bricks with an even number of rows, and a checker if the number of colours divides both sides.
+struct Pattern {
+    enum class Kind : std::uint8_t {
+        checker,    ///< columns x rows fields; field (i, j) has colour (i + j) mod their number
+        bricks,     ///< columns x rows bricks of the first colour, and joints of the second
+        gradient,   ///< all colours at equal distances, the first along the upper edge, the last along the
+                    ///< lower
+        noise       ///< value noise: the lowest value has the first colour, the highest one the last
+    };
+    Kind kind = Kind::checker;
+    int width = 256, height = 256;                                       ///< texels: powers of two
+    std::vector<glm::dvec3> colours{glm::dvec3(0.8), glm::dvec3(0.2)};   ///< linear light; two at least
+    int columns = 2, rows = 2;
+    /// Of bricks: the width of a joint divided by the height of a row. Every second row is shifted by half a
+    /// brick.
+    double joint = 0.1;
+    /// Of noise: the number of octaves, and the seed of their random numbers. Octave k has columns 2^k x
+    /// rows 2^k random values, half as strong as those of the octave before.
+    int octaves = 4;
+    std::uint64_t seed = 0;
+};
+constexpr int most_octaves = 8;
+/// The largest number of columns or rows, of noise in its last octave.
+constexpr int most_cells = most_texture_side;
+
+/// Returns the texels of a pattern. All are opaque.
+TexelLevel texels_of(const Pattern& pattern);
+
+/// Returns a texture that shows the pattern.
+Texture texture_of(const Pattern& pattern);
+
+}   // namespace rayclock
