@@ -158,7 +158,7 @@ void PathJudge::texture(const PassIn& in, const PassOut& out) {
 
 std::optional<TexturedSurface> PathJudge::textured(std::uint32_t primitive) const {
     return rules_.placed ? rules_.placed->textured(primitive)
-                         : textured_triangle(rules_.inputs.scene, rules_.inputs.lattice.pitch, primitive);
+                         : textured_surface(rules_.inputs.scene, rules_.inputs.lattice, primitive);
 }
 
 bool PathJudge::has_holes(std::uint32_t primitive) const {
