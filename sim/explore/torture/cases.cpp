@@ -69,6 +69,7 @@ public:
         if (!config_.is_list() && !config_.has_instances() && config_.addr_bits <= 10) add_last_lines();
         if (config_.engine() == Structure::kd) add_octrees();
         if (has_cells(config_)) add_cuts();
+        if (config_.has_textures()) add_textures(), add_holes();
         return std::move(cases_);
     }
 
@@ -422,6 +423,27 @@ private:
             frame.shade.depth = 0, frame.shade.contrast = 0;   // all samples are taken
         }
         end(std::move(t));
+    }
+
+    /// Textures of all sizes, and of all levels.
+    void add_textures() {
+        const std::vector<PrimData> prims = soup(config_, dice_, few(36));
+        TortureCase t =
+            begin("textures", image_of(prims, config_, dice_, "textures", SurfaceStyle::textured));
+        for (int i = 0; i < 6; ++i) add(t, view(prims, config_, {12, 9}, i == 5 ? 1 : 0, dice_));
+        end(std::move(t));
+    }
+
+    /// More holes behind each other than a ray may pass, and as many between a surface and its light.
+    void add_holes() {
+        const std::vector<PrimData> prims = panes(config_, most_holes + 3);
+        TortureCase t = begin("holes", image_of(prims, config_, dice_, "holes", SurfaceStyle::holes));
+        for (const double spread : {0.1, 0.4}) {
+            Frame& frame = add(t, pane_view(config_, {3, 2}, spread));
+            frame.shade.depth = 0, frame.shade.lights = 1;
+            put_light(frame, 0, frame.eye);
+        }
+        end(std::move(t), 0);
     }
 
     void shade(Frame& frame, const MemoryImage& image, int samples) {

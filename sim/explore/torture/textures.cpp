@@ -1,0 +1,125 @@
+// Draws texture records and texels.
+#include "sim/explore/torture/textures.hpp"
+
+#include "model/layout/words.hpp"
+#include "model/unit/tex/texel.hpp"
+
+namespace rayclock::torture {
+
+namespace {
+
+constexpr int records = 8;        ///< of an image
+constexpr int texel_lines = 32;   ///< of an image: those of 16 x 8 texels of 32 bits with all levels, and six
+constexpr int longest_log = 6;    ///< logarithm of the longest side that may fit these
+
+/// Alpha below which a texel is a hole. Half of the texels have such an alpha, or one more or less.
+constexpr std::array<std::uint32_t, 4> cutoffs{0, 1, 128, 255};
+
+}   // namespace
+
+Textures::Textures(const Config& config, const Dice& dice, SurfaceStyle style)
+    : config_(config), dice_(dice.branch()), style_(style) {}
+
+void Textures::make_cutouts(std::vector<PrimData>& prims) {
+    if (!config_.has_textures() || style_ == SurfaceStyle::bright) return;
+    for (PrimData& prim : prims)
+        if (prim.is_triangle() && (style_ == SurfaceStyle::holes || dice_.percent(20)))
+            prim.kind = std::uint32_t(PrimKind::cutout);
+}
+
+std::uint32_t Textures::lines() const { return config_.has_textures() ? records + texel_lines : 0; }
+
+void Textures::append(std::vector<std::uint32_t>& words) {
+    if (!config_.has_textures()) return;
+    const auto first_texels = std::uint32_t(words.size() / words_per_line);
+    for (int i = 0; i < texel_lines; ++i) {
+        const Line line = texels();
+        words.insert(words.end(), line.begin(), line.end());
+    }
+    first_record_ = first_texels + texel_lines;
+    words.resize(words.size() + records * words_per_line, 0);
+    Words scratch;
+    for (std::uint32_t i = 0; i < records; ++i)
+        write_payload(record(first_texels), config_, &words[(first_record_ + i) * words_per_line], scratch);
+}
+
+std::uint32_t Textures::record_for(const PrimData& prim) {
+    if (!config_.has_textures() || !prim.is_triangle() || style_ == SurfaceStyle::bright) return 0;
+    const bool is_cutout = PrimKind(prim.kind) == PrimKind::cutout;
+    // The hardware may also meet a cut-out without a texture: an instance's material has none.
+    if (!dice_.percent(is_cutout ? 95 : style_ == SurfaceStyle::textured ? 60 : 20)) return 0;
+    return first_record_ + std::uint32_t(dice_.below(records));
+}
+
+/// Draws a texture coordinate: any, one near the picture, or one at a border of texels or pictures.
+std::int32_t Textures::coordinate() {
+    switch (dice_.below(3)) {
+        case 0: return dice_.signed_number(coordinate_bits);
+        case 1: return dice_.between(-2 << coordinate_frac, 2 << coordinate_frac);
+        default: {
+            const int step = dice_.between(coordinate_frac - longest_log - 1, coordinate_frac + 1);
+            return dice_.between(-4, 4) * (1 << step) + dice_.between(-2, 2);
+        }
+    }
+}
+
+std::array<std::int32_t, 3> Textures::corners() {
+    std::array<std::int32_t, 3> all{coordinate(), coordinate(), coordinate()};
+    if (dice_.percent(25)) all[1] = all[2] = all[0];   // every hit has exactly this coordinate
+    return all;
+}
+
+/// Draws a density: any, or one with which a path of half the lattice has a random level.
+std::int32_t Textures::density(std::uint32_t last_level) {
+    if (dice_.percent(30)) return dice_.signed_number(level_bits);
+    const int octaves =
+        dice_.between(-1, int(last_level) + 1) - (config_.coord_bits - 1 + config_.t_frac_bits);
+    return (octaves << level_frac) + dice_.between(-(1 << (level_frac - 1)), 1 << (level_frac - 1));
+}
+
+/// Draws a record whose texels lie in the image. Some `textured` surfaces have larger textures at any
+/// address: other lines of memory, or zeros, are their texels.
+TexRecord Textures::record(std::uint32_t first_texels) {
+    TexRecord r;
+    r.s = corners(), r.t = corners();
+    const bool is_large = style_ == SurfaceStyle::textured && dice_.percent(40);
+    const int longest = is_large ? most_side_log : longest_log;
+    do {
+        r.log_width = std::uint32_t(dice_.between(0, longest));
+        r.log_height = std::uint32_t(dice_.between(0, longest));
+        r.last_level = dice_.percent(20) ? 0 : std::max(r.log_width, r.log_height);
+    } while (!is_large && texture_lines(r, config_.texels) > texel_lines);
+    r.base = is_large
+                 ? std::uint32_t(dice_.below(1 << config_.addr_bits))
+                 : first_texels +
+                       std::uint32_t(dice_.between(0, texel_lines - int(texture_lines(r, config_.texels))));
+    r.wrap_s = std::uint32_t(dice_.below(3)), r.wrap_t = std::uint32_t(dice_.below(3));
+    r.nearest = dice_.percent(30);
+    r.density = density(r.last_level);
+    if (style_ == SurfaceStyle::holes)
+        r.cutoff = cutoffs[std::size_t(dice_.between(1, 3))];
+    else
+        r.cutoff = dice_.percent(80) ? cutoffs[std::size_t(dice_.below(4))] : std::uint32_t(dice_.below(256));
+    return r;
+}
+
+/// Draws a line of texels. Of `holes` all but a few are holes.
+Line Textures::texels() {
+    Line line;
+    for (auto& word : line) word = dice_.bits();   // some bits belong to no texel
+    const TileShape tile = tile_shape(config_.texels);
+    const std::uint32_t cutoff = cutoffs[std::size_t(dice_.below(4))];
+    for (int i = 0; i < tile.texels(); ++i) {
+        const std::uint32_t colour = dice_.bits();
+        std::uint32_t alpha = colour >> 24;
+        if (dice_.percent(50)) alpha = std::uint32_t(std::clamp(int(cutoff) + dice_.between(-1, 1), 0, 255));
+        if (style_ == SurfaceStyle::holes) alpha = dice_.percent(1) ? 255 : 0;
+        put_texel(line, std::uint32_t(i % tile.width()), std::uint32_t(i / tile.width()),
+                  {std::uint8_t(colour), std::uint8_t(colour >> 8), std::uint8_t(colour >> 16),
+                   std::uint8_t(alpha)},
+                  config_.texels);
+    }
+    return line;
+}
+
+}   // namespace rayclock::torture
