@@ -208,7 +208,7 @@ private:
         }
         for (std::size_t i = 0; i < entries.size(); ++i) {
             entries[i].first_surface_line = first[standings_[i].mesh] - entries[i].first;
-            if (dice_.percent(60)) continue;
+            if (dice_.percent(75) || style_ == SurfaceStyle::holes) continue;
             entries[i].material = image_.lines();
             append_surface(PrimData{});
         }

@@ -8,11 +8,11 @@ namespace rayclock::torture {
 
 namespace {
 
-constexpr int records = 8;        ///< of an image
+constexpr int records = 12;       ///< of an image
 constexpr int texel_lines = 32;   ///< of an image: those of 16 x 8 texels of 32 bits with all levels, and six
 constexpr int longest_log = 6;    ///< logarithm of the longest side that may fit these
 
-/// Alpha below which a texel is a hole. Half of the texels have such an alpha, or one more or less.
+/// Cut-offs of most records. The alpha of most texels is one of these, or one more or less.
 constexpr std::array<std::uint32_t, 4> cutoffs{0, 1, 128, 255};
 
 }   // namespace
@@ -23,7 +23,7 @@ Textures::Textures(const Config& config, const Dice& dice, SurfaceStyle style)
 void Textures::make_cutouts(std::vector<PrimData>& prims) {
     if (!config_.has_textures() || style_ == SurfaceStyle::bright) return;
     for (PrimData& prim : prims)
-        if (prim.is_triangle() && (style_ == SurfaceStyle::holes || dice_.percent(20)))
+        if (prim.is_triangle() && (style_ == SurfaceStyle::holes || dice_.percent(30)))
             prim.kind = std::uint32_t(PrimKind::cutout);
 }
 
@@ -40,14 +40,19 @@ void Textures::append(std::vector<std::uint32_t>& words) {
     words.resize(words.size() + records * words_per_line, 0);
     Words scratch;
     for (std::uint32_t i = 0; i < records; ++i)
-        write_payload(record(first_texels), config_, &words[(first_record_ + i) * words_per_line], scratch);
+        write_payload(record(first_texels, i), config_, &words[(first_record_ + i) * words_per_line],
+                      scratch);
 }
 
 std::uint32_t Textures::record_for(const PrimData& prim) {
     if (!config_.has_textures() || !prim.is_triangle() || style_ == SurfaceStyle::bright) return 0;
     const bool is_cutout = PrimKind(prim.kind) == PrimKind::cutout;
     // The hardware may also meet a cut-out without a texture: an instance's material has none.
-    if (!dice_.percent(is_cutout ? 95 : style_ == SurfaceStyle::textured ? 60 : 20)) return 0;
+    const int share = style_ == SurfaceStyle::holes      ? 100
+                      : is_cutout                        ? 90
+                      : style_ == SurfaceStyle::textured ? 75
+                                                         : 25;
+    if (!dice_.percent(share)) return 0;
     return first_record_ + std::uint32_t(dice_.below(records));
 }
 
@@ -78,22 +83,23 @@ std::int32_t Textures::density(std::uint32_t last_level) {
 }
 
 /// Draws a record whose texels lie in the image. Some `textured` surfaces have larger textures at any
-/// address: other lines of memory, or zeros, are their texels.
-TexRecord Textures::record(std::uint32_t first_texels) {
+/// address. Then any line of memory holds texels.
+TexRecord Textures::record(std::uint32_t first_texels, std::uint32_t number) {
     TexRecord r;
     r.s = corners(), r.t = corners();
     const bool is_large = style_ == SurfaceStyle::textured && dice_.percent(40);
     const int longest = is_large ? most_side_log : longest_log;
     do {
-        r.log_width = std::uint32_t(dice_.between(0, longest));
-        r.log_height = std::uint32_t(dice_.between(0, longest));
+        r.log_width = std::uint32_t(dice_.percent(is_large ? 50 : 20) ? longest : dice_.between(0, longest));
+        r.log_height = std::uint32_t(dice_.percent(20) ? 0 : dice_.between(0, longest));
+        if (dice_.percent(50)) std::swap(r.log_width, r.log_height);
         r.last_level = dice_.percent(20) ? 0 : std::max(r.log_width, r.log_height);
     } while (!is_large && texture_lines(r, config_.texels) > texel_lines);
     r.base = is_large
                  ? std::uint32_t(dice_.below(1 << config_.addr_bits))
                  : first_texels +
                        std::uint32_t(dice_.between(0, texel_lines - int(texture_lines(r, config_.texels))));
-    r.wrap_s = std::uint32_t(dice_.below(3)), r.wrap_t = std::uint32_t(dice_.below(3));
+    r.wrap_s = number % 3, r.wrap_t = number / 3 % 3;
     r.nearest = dice_.percent(30);
     r.density = density(r.last_level);
     if (style_ == SurfaceStyle::holes)
@@ -109,10 +115,15 @@ Line Textures::texels() {
     for (auto& word : line) word = dice_.bits();   // some bits belong to no texel
     const TileShape tile = tile_shape(config_.texels);
     const std::uint32_t cutoff = cutoffs[std::size_t(dice_.below(4))];
+    const int how = dice_.below(3), all = dice_.between(-1, 1);   // 0: any alpha; 1: the same; 2: each its
+                                                                  // own
     for (int i = 0; i < tile.texels(); ++i) {
         const std::uint32_t colour = dice_.bits();
         std::uint32_t alpha = colour >> 24;
-        if (dice_.percent(50)) alpha = std::uint32_t(std::clamp(int(cutoff) + dice_.between(-1, 1), 0, 255));
+        if (how > 0) {
+            const int beyond = how == 1 ? all : dice_.between(-1, 1);
+            alpha = std::uint32_t(std::clamp(int(cutoff) + beyond, 0, 255));
+        }
         if (style_ == SurfaceStyle::holes) alpha = dice_.percent(1) ? 255 : 0;
         put_texel(line, std::uint32_t(i % tile.width()), std::uint32_t(i / tile.width()),
                   {std::uint8_t(colour), std::uint8_t(colour >> 8), std::uint8_t(colour >> 16),

@@ -21,15 +21,15 @@ public:
     std::uint32_t lines() const;
     /// Writes the texels and then the records to the end of an image. So no record lies in line 0.
     void append(std::vector<std::uint32_t>& words);
-    /// Returns Surface::record for a primitive, or 0. A cut-out, and a fifth of the other triangles, have a
-    /// texture. The texture of a triangle may have holes too. Light does not pass these.
+    /// Returns Surface::record for a primitive, or 0. Nearly every cut-out, and a quarter of the other
+    /// triangles, have a texture. The texture of a triangle may have holes too. Light does not pass these.
     std::uint32_t record_for(const PrimData& prim);
 
 private:
     std::int32_t coordinate();
     std::array<std::int32_t, 3> corners();
     std::int32_t density(std::uint32_t last_level);
-    TexRecord record(std::uint32_t first_texels);
+    TexRecord record(std::uint32_t first_texels, std::uint32_t number);
     Line texels();
 
     const Config& config_;
