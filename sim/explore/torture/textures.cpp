@@ -9,8 +9,8 @@ namespace rayclock::torture {
 namespace {
 
 constexpr int records = 12;       ///< of an image
-constexpr int texel_lines = 32;   ///< of an image: those of 16 x 8 texels of 32 bits with all levels, and six
-constexpr int longest_log = 6;    ///< logarithm of the longest side that may fit these
+constexpr int texel_lines = 32;   ///< of an image; 16 x 8 texels of 32 bits take 26 lines with all levels
+constexpr int longest_log = 6;    ///< logarithm of the longest side that may fit in these lines
 
 /// Cut-offs of most records. The alpha of most texels is one of these, or one more or less.
 constexpr std::array<std::uint32_t, 4> cutoffs{0, 1, 128, 255};
@@ -109,14 +109,14 @@ TexRecord Textures::record(std::uint32_t first_texels, std::uint32_t number) {
     return r;
 }
 
-/// Draws a line of texels. Of `holes` all but a few are holes.
+/// Draws a line of texels. In the style `holes` all but a few are holes.
 Line Textures::texels() {
     Line line;
     for (auto& word : line) word = dice_.bits();   // some bits belong to no texel
     const TileShape tile = tile_shape(config_.texels);
     const std::uint32_t cutoff = cutoffs[std::size_t(dice_.below(4))];
-    const int how = dice_.below(3), all = dice_.between(-1, 1);   // 0: any alpha; 1: the same; 2: each its
-                                                                  // own
+    // Alpha is random, or one value near the cut-off, or a value near the cut-off for each texel.
+    const int how = dice_.below(3), all = dice_.between(-1, 1);
     for (int i = 0; i < tile.texels(); ++i) {
         const std::uint32_t colour = dice_.bits();
         std::uint32_t alpha = colour >> 24;
