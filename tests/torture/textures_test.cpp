@@ -27,6 +27,8 @@ public:
         if (is_arrival && PrimKind(in.surface.kind) == PrimKind::triangle)
             ++surfaces, textured += in.surface.record != 0;
         if (meets_cutout(in)) values["a cut-out has a texture"].insert(in.surface.record != 0);
+        if (Pending(in.state.pending) == Pending::texture && in.hole)
+            values["holes in the way to a light"].insert(in.state.light_holes + 1);
         values["holes that a ray passes"].insert(out.state.holes);
     }
     void filtered(const TexReq& hit, const TexRecord& record, const TexelPlace& place,
@@ -124,5 +126,6 @@ TEST_CASE("the tortured chips with textures reach the corners of textures and ho
         }
         CHECK(*values["holes that a ray passes"].rbegin() == most_holes);
         CHECK(*values["holes that a ray to a light passes"].rbegin() == most_holes);
+        CHECK(*values["holes in the way to a light"].rbegin() == most_holes + 1);
     }
 }

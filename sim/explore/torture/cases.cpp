@@ -442,13 +442,15 @@ private:
         }
     }
 
-    /// More holes behind each other than a ray may pass, and as many between a surface and its light.
+    /// More holes behind each other than a ray may pass. The light lies some panes behind the eye, so a
+    /// surface behind the most holes is even farther from the light.
     void add_holes() {
-        const std::vector<PrimData> prims = panes(config_, most_holes + 3);
+        const std::vector<PrimData> prims = panes(config_, most_holes + 6);
         TortureCase t = begin("holes", image_of(prims, config_, dice_, "holes", SurfaceStyle::holes));
         Frame& frame = add(t, pane_view(config_, {4, 1}, 0.1));
         frame.shade.depth = 0, frame.shade.lights = 1;
         put_light(frame, 0, frame.eye);
+        frame.eye[2] = (prims[4].a[2] + prims[6].a[2]) / 2;
         end(std::move(t), 0);
     }
 
