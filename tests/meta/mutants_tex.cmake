@@ -575,3 +575,30 @@ mutant(tex_far_path_never FILE rtl/unit/shade/rc_pass.sv TEST unit ${shade_rtl_c
 mutant(tex_far_path_without_a_sixteenth FILE rtl/unit/shade/rc_far_path.sv TEST unit ${shade_rtl_case}
   OLD [[+ LengthW'(shortest[SizeW-1:4]);]]
   NEW [[;]])
+
+# ---- Holes in the way to a light: the counter of list, and the passes of shade.
+set(torture_light "model and RTL agree under torture with textures")
+mutant(tex_list_counts_the_holes_of_the_ray_before FILE rtl/unit/list/rc_list.sv TEST torture ${torture_light}
+  OLD [[was_passed ? s1_passed : '0;]]
+  NEW [[was_passed || 1'b1 ? s1_passed : '0;]])
+mutant(tex_list_reach_ends_at_a_hole FILE rtl/unit/list/rc_list.sv TEST torture ${torture_light}
+  OLD [[.write_i(s1_closer), .write_ray_i(s1_ray), .write_t_i(s1_rsp_t)]]
+  NEW [[.write_i(s1_hits), .write_ray_i(s1_ray), .write_t_i(s1_rsp_t)]])
+mutant(tex_light_passes_64_holes FILE rtl/unit/shade/rc_pass.sv TEST torture ${torture_light}
+  OLD [[&& given.light_holes != '1;]]
+  NEW [[;]])
+mutant(tex_light_keeps_the_holes_of_the_light_before FILE rtl/unit/shade/rc_pass.sv TEST torture
+  ${torture_light}
+  OLD [[end else if (!met_cutout) begin]]
+  NEW [[end else if (!met_cutout && 1'b0) begin]])
+mutant(tex_cutout_with_the_texture_of_the_surface FILE rtl/unit/shade/rc_pass_begin.sv TEST torture
+  ${torture_light}
+  OLD [[if (cutout_i) known_texture.record]]
+  NEW [[if (cutout_i && 1'b0) known_texture.record]])
+mutant(tex_cutout_with_the_path_of_the_surface FILE ${pass_end} TEST torture ${torture_light}
+  OLD [[request.path   = cutout_i ? '0]]
+  NEW [[request.path   = cutout_i && 1'b0 ? '0]])
+mutant(tex_material_of_the_instance_keeps_the_texture FILE rtl/unit/shade/rc_shade.sv TEST torture
+  ${torture_light}
+  OLD [[if (lent_q[came_ray]) plain[RecordAt]]
+  NEW [[if (lent_q[came_ray] && 1'b0) plain[RecordAt]])

@@ -69,6 +69,7 @@ public:
         if (!config_.is_list() && !config_.has_instances() && config_.addr_bits <= 10) add_last_lines();
         if (config_.engine() == Structure::kd) add_octrees();
         if (has_cells(config_)) add_cuts();
+        if (config_.has_textures()) add_textures(), add_holes(), add_long_paths();
         return std::move(cases_);
     }
 
@@ -421,6 +422,48 @@ private:
             Frame& frame = add(t, view(prims, config_, {3, 2}, 0, dice_), side);
             frame.shade.depth = 0, frame.shade.contrast = 0;   // all samples are taken
         }
+        end(std::move(t));
+    }
+
+    /// Textures of all sizes, levels and filters. The image fills the memory, since the large ones begin at
+    /// any address.
+    void add_textures() {
+        for (int i = 1; i <= 6; ++i) {
+            std::vector<PrimData> prims = mesh(most_of(config_.coord_bits) / 3, 3);
+            for (const PrimData& more : soup(config_, dice_, few(12))) prims.push_back(more);
+            const SurfaceStyle style = SurfaceStyle::textured;
+            MemoryImage image = image_of(prims, config_, dice_, "textures", style);
+            while (image.lines() < 1u << config_.addr_bits)
+                for (std::size_t k = 0; k < words_per_line; ++k) image.words.push_back(dice_.bits());
+            TortureCase t = begin("textures " + std::to_string(i), std::move(image));
+            for (const double spread : {0.1, 0.5, 1.0}) add(t, pane_view(config_, {9, 7}, spread));
+            add(t, view(prims, config_, {9, 7}, 0, dice_));
+            end(std::move(t));
+        }
+    }
+
+    /// More holes behind each other than a ray may pass. The light lies some panes behind the eye, so a
+    /// surface behind the most holes is even farther from the light.
+    void add_holes() {
+        const std::vector<PrimData> prims = panes(config_, most_holes + 6);
+        TortureCase t = begin("holes", image_of(prims, config_, dice_, "holes", SurfaceStyle::holes));
+        Frame& frame = add(t, pane_view(config_, {4, 1}, 0.1));
+        frame.shade.depth = 0, frame.shade.lights = 1;
+        put_light(frame, 0, frame.eye);
+        frame.eye[2] = (prims[4].a[2] + prims[6].a[2]) / 2;
+        end(std::move(t), 0);
+    }
+
+    /// Two mirrors at opposite sides of the lattice. After their bounces between them, rays have longer paths
+    /// than the bits of a path hold.
+    void add_long_paths() {
+        const std::int32_t most = most_of(config_.coord_bits);
+        std::vector<PrimData> prims = mesh(most / 2, 3);
+        for (std::size_t i = 0; i < prims.size(); ++i)
+            for (Vec3i* corner : {&prims[i].a, &prims[i].b, &prims[i].c})
+                (*corner)[2] = 2 * i < prims.size() ? most : -most;
+        TortureCase t = begin("long paths", image_of(prims, config_, dice_, "mirrors", SurfaceStyle::clear));
+        for (const double spread : {0.5, 0.2}) add_deep(t, pane_view(config_, {6, 5}, spread));
         end(std::move(t));
     }
 

@@ -31,6 +31,17 @@ public:
         if (rng_.below(3) == 0) return corners[rng_.below(7)];
         return between(-most, most);
     }
+    /// Returns a number of so many bits, signed. A third of the draws are near an end, 0 or +-1.
+    std::int32_t signed_number(int bits) {
+        const std::int32_t most = (1 << (bits - 1)) - 1;
+        return percent(5) ? -most - 1 : number(most);
+    }
+    std::uint32_t bits() { return std::uint32_t(rng_.next() >> 32); }
+    /// Returns dice with other numbers. These dice do not change.
+    Dice branch() const {
+        Rng seed = rng_;
+        return Dice(~seed.next());
+    }
     Vec3i point(std::int32_t most) { return {number(most), number(most), number(most)}; }
     /// Returns a point at most `reach` away on each axis, within -most..most.
     Vec3i near(const Vec3i& p, std::int32_t reach, std::int32_t most) {

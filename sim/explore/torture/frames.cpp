@@ -161,6 +161,13 @@ ShadeFrame settings(const MemoryImage& image, const Config& config, int samples,
     s.seed = std::uint32_t(dice.below(1 << 30));
     s.background = dice.colour(unit_bits);
     s.lights = std::uint32_t(dice.between(1, config.lights));
+    if (config.has_textures()) {
+        Dice own = dice.branch();
+        // Within an octave, or within eight, or any.
+        const std::int32_t octaves[] = {1, 8}, kind = own.below(3);
+        const std::int32_t most = kind < 2 ? octaves[kind] << level_frac : 0;
+        s.spread = kind < 2 ? own.between(-most, most) : own.signed_number(level_bits);
+    }
     // Lights beyond the frame's number exist, but do not shine.
     for (std::size_t i = 0; i < std::size_t(config.lights); ++i) {
         s.near[i] = dice.percent(60), s.clear[i] = dice.percent(50);

@@ -12,6 +12,7 @@
 #include "model/engine/none/page.hpp"
 #include "sim/explore/torture/frames.hpp"
 #include "sim/explore/torture/levels.hpp"
+#include "sim/explore/torture/textures.hpp"
 
 namespace rayclock::torture {
 
@@ -78,8 +79,9 @@ template <class Make> std::vector<PrimData> many(int count, const Config& config
 
 Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, SurfaceStyle style) {
     Surface s;
-    s.kind = prim.kind, s.a = prim.a, s.b = prim.b, s.c = prim.c;
-    const bool flat = s.kind == std::uint32_t(PrimKind::triangle);
+    const bool flat = prim.is_triangle();
+    s.kind = flat ? std::uint32_t(PrimKind::triangle) : prim.kind;
+    s.a = prim.a, s.b = prim.b, s.c = prim.c;
     if (flat) s.fine = fine_of(prim, config);
     s.smooth = style != SurfaceStyle::clear && config.smooth && flat && dice.percent(40);
     for (auto& x : s.normal) x = s.smooth ? dice.number(most_of(corner_bits)) : 0;
@@ -112,6 +114,12 @@ Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, S
     s.enter = std::uint32_t(dice.percent(25) ? 1 << index_frac : dice.between(2000, 8000));
     s.leave = std::uint32_t(dice.percent(25) ? 1 << index_frac : dice.between(2000, 8000));
     return s;
+}
+
+void append_line(const Surface& surface, const Config& config, std::vector<std::uint32_t>& words) {
+    Words scratch;
+    words.resize(words.size() + words_per_line, 0);
+    write_payload(surface, config, &words[words.size() - words_per_line], scratch);
 }
 
 std::vector<PrimData> soup(const Config& config, Dice& dice, int count) {
@@ -212,22 +220,40 @@ std::vector<PrimData> panes(const Config& config, int count) {
     return all;
 }
 
+namespace {
+
+/// Returns the primitives with their numbers, some of them as cut-outs.
+std::vector<PrimData> numbered_of(const std::vector<PrimData>& prims, Textures& textures) {
+    std::vector<PrimData> numbered = prims;
+    for (std::size_t i = 0; i < numbered.size(); ++i) numbered[i].prim = std::uint32_t(i);
+    textures.make_cutouts(numbered);
+    return numbered;
+}
+
+/// Writes textures and surfaces to the end of the image, if the chip shades.
+void append_surfaces(const std::vector<PrimData>& prims, Textures& textures, const Config& config, Dice& dice,
+                     SurfaceStyle style, MemoryImage& image) {
+    if (!config.has_shade()) return;
+    textures.append(image.words);
+    image.first_surface_line = image.lines();
+    for (const PrimData& prim : prims) {
+        Surface surface = random_surface(prim, config, dice, style);
+        surface.record = textures.record_for(prim);
+        append_line(surface, config, image.words);
+    }
+}
+
+}   // namespace
+
 MemoryImage image_of(const std::vector<PrimData>& prims, const Config& config, Dice& dice, const char* name,
                      SurfaceStyle style) {
     if (config.has_instances()) return placed_image(prims, config, dice, name, style);
-    std::vector<PrimData> numbered = prims;
-    for (std::size_t i = 0; i < numbered.size(); ++i) numbered[i].prim = std::uint32_t(i);
+    Textures textures(config, dice, style);
+    const std::vector<PrimData> numbered = numbered_of(prims, textures);
     MemoryImage image = compile_triangles(numbered, config, name);
     image.lattice.coord_bits = config.coord_bits;
-    if (!config.has_shade()) return image;
-    const std::size_t first = image.lines();
-    check_lines(first + numbered.size(), config, name);
-    image.first_surface_line = std::uint32_t(first);
-    image.words.resize((first + numbered.size()) * words_per_line, 0);
-    Words scratch;
-    for (std::size_t i = 0; i < numbered.size(); ++i)
-        write_payload(random_surface(numbered[i], config, dice, style), config,
-                      &image.words[(first + i) * words_per_line], scratch);
+    append_surfaces(numbered, textures, config, dice, style, image);
+    check_lines(image.lines(), config, name);
     return image;
 }
 
@@ -304,23 +330,25 @@ void move_nodes(std::vector<std::uint32_t>& words, std::uint32_t root, Structure
 
 MemoryImage image_at_the_end(const std::vector<PrimData>& prims, const Config& config, Dice& dice,
                              const char* name, std::uint32_t& root) {
-    const MemoryImage made = image_of(prims, config, dice, name);
+    Textures textures(config, dice, SurfaceStyle::any);
+    const std::vector<PrimData> numbered = numbered_of(prims, textures);
+    MemoryImage image = compile_triangles(numbered, config, name);
+    image.lattice.coord_bits = config.coord_bits;
+    const std::vector<std::uint32_t> made = std::move(image.words);
+    image.words.clear();
+    append_surfaces(numbered, textures, config, dice, SurfaceStyle::any, image);
     const std::uint32_t all = 1u << config.addr_bits, page = page_lines(config.node_width);
-    const std::uint32_t before = config.shading ? made.first_surface_line : made.lines();
-    const std::uint32_t lines = config.is_list() ? (made.listed_primitives + 1) / 2 : before;
+    const std::uint32_t lines =
+        config.is_list() ? (image.listed_primitives + 1) / 2 : std::uint32_t(made.size() / words_per_line);
     root = config.is_list() ? (all - lines) / page * page : all - lines;
-    MemoryImage image = made;
-    image.first_surface_line = 0;
-    image.words.assign(std::size_t(all) * words_per_line, 0);
-    std::copy(made.words.begin() + std::ptrdiff_t(before * words_per_line), made.words.end(),
-              image.words.begin());
-    std::copy_n(made.words.begin(), lines * words_per_line,
+    check_lines(image.lines() + all - root, config, name);
+    image.words.resize(std::size_t(all) * words_per_line, 0);
+    std::copy_n(made.begin(), lines * words_per_line,
                 image.words.begin() + std::ptrdiff_t(root * words_per_line));
     if (config.is_list())
-        image.listed_primitives = 2 * root + made.listed_primitives;
+        image.listed_primitives += 2 * root;
     else
         move_nodes(image.words, root, config.engine(), config);
-    check_lines(made.lines() - before + all - root, config, name);
     return image;
 }
 

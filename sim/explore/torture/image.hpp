@@ -1,6 +1,8 @@
 #pragma once
 // Memory images that no scene produces: primitives at the ends of the lattice, on top of each other, edge-on;
 // surfaces with any mixture of reflection and refraction.
+#include <vector>
+
 #include "model/layout/memory_image.hpp"
 #include "sim/explore/torture/dice.hpp"
 
@@ -38,9 +40,14 @@ std::vector<PrimData> mesh(std::int32_t step, int side);
 std::vector<PrimData> panes(const Config& config, int count);
 
 /// Surfaces of a chip that shades: any; half mirror and half glass; colours that are 0 or 1 without any
-/// light; highlights of any sharpness without reflection.
-enum class SurfaceStyle { any, clear, bright, shiny };
+/// light; highlights of any sharpness without reflection. In a chip with textures a third of the triangles
+/// have one, unless they are `bright`. Two more styles: most triangles have a texture, some of them larger
+/// than the memory; all triangles are cut-outs, and their textures consist of holes.
+enum class SurfaceStyle { any, clear, bright, shiny, textured, holes };
+/// Draws a surface without a texture.
 Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, SurfaceStyle style);
+/// Writes a surface to the end of an image.
+void append_line(const Surface& surface, const Config& config, std::vector<std::uint32_t>& words);
 
 /// Returns the whole memory image. With two levels placed_image() makes it.
 MemoryImage image_of(const std::vector<PrimData>& prims, const Config& config, Dice& dice, const char* name,

@@ -9,6 +9,7 @@
 #include "model/compile/levels/upper.hpp"
 #include "model/compile/compile.hpp"
 #include "model/base/axes.hpp"
+#include "sim/explore/torture/textures.hpp"
 
 namespace rayclock::torture {
 
@@ -84,8 +85,10 @@ class PlacedImage {
 public:
     PlacedImage(const std::vector<PrimData>& prims, const Config& config, Dice& dice, const std::string& name,
                 SurfaceStyle style)
-        : config_(config), dice_(dice), name_(name), style_(style) {
-        deal(prims);
+        : config_(config), dice_(dice), name_(name), style_(style), textures_(config, dice, style) {
+        std::vector<PrimData> cut = prims;
+        textures_.make_cutouts(cut);
+        deal(cut);
     }
 
     MemoryImage make() {
@@ -105,6 +108,7 @@ public:
         leave_room();
         image_.first_mesh_line = image_.lines();
         for (MemoryImage& lower : lowers_) append(lower);
+        if (config_.shading) textures_.append(image_.words);
         image_.first_surface_line = image_.lines();
         if (config_.shading) append_surfaces(entries);
         for (std::size_t i = 0; i < entries.size(); ++i) entries[i].root = roots_[standings_[i].mesh];
@@ -121,8 +125,7 @@ private:
     void deal(const std::vector<PrimData>& prims) {
         std::array<std::vector<PrimData>, 3> dealt;
         for (const PrimData& prim : prims)
-            dealt[prim.kind == std::uint32_t(PrimKind::triangle) ? std::size_t(dice_.below(3)) : 0].push_back(
-                prim);
+            dealt[prim.is_triangle() ? std::size_t(dice_.below(3)) : 0].push_back(prim);
         InstanceMap same = map_of({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, 1, config_),
                     whole = map_of(quarters(dice_), 1, config_);
         same.is_same = same.is_whole = whole.is_whole = true;
@@ -161,7 +164,7 @@ private:
     void stand_again() {
         const std::size_t mesh = std::size_t(dice_.below(int(meshes_.size())));
         for (const PrimData& prim : meshes_[mesh])
-            if (prim.kind != std::uint32_t(PrimKind::triangle)) return;
+            if (!prim.is_triangle()) return;
         const Rows rows = config_.shading ? quarters(dice_) : turned(dice_);
         const double half = config_.shading ? 1 : std::ldexp(1.0, -dice_.below(4));
         InstanceMap map = map_of(rows, half / longest_row(rows), config_);
@@ -180,7 +183,8 @@ private:
     }
 
     void leave_room() {
-        std::size_t lines = config_.shading ? standings_.size() : 0;   // upper bound of all that follow
+        // An upper bound of all that follow.
+        std::size_t lines = config_.shading ? standings_.size() + textures_.lines() : 0;
         for (std::size_t m = 0; m < meshes_.size(); ++m)
             lines += lowers_[m].lines() + (config_.shading ? meshes_[m].size() : 0);
         const std::size_t all = std::size_t(1) << config_.addr_bits, used = image_.lines();
@@ -204,22 +208,22 @@ private:
         }
         for (std::size_t i = 0; i < entries.size(); ++i) {
             entries[i].first_surface_line = first[standings_[i].mesh] - entries[i].first;
-            if (dice_.percent(60)) continue;
+            if (dice_.percent(75) || style_ == SurfaceStyle::holes) continue;
             entries[i].material = image_.lines();
             append_surface(PrimData{});
         }
     }
     void append_surface(const PrimData& prim) {
-        Words scratch;
-        image_.words.resize(image_.words.size() + words_per_line, 0);
-        write_payload(random_surface(prim, config_, dice_, style_), config_,
-                      &image_.words[image_.words.size() - words_per_line], scratch);
+        Surface surface = random_surface(prim, config_, dice_, style_);
+        surface.record = textures_.record_for(prim);   // the hardware ignores that of an instance's material
+        append_line(surface, config_, image_.words);
     }
 
     const Config& config_;
     Dice& dice_;
     const std::string name_;
     SurfaceStyle style_;
+    Textures textures_;
     std::vector<std::vector<PrimData>> meshes_;
     std::vector<Standing> standings_;
     std::vector<MemoryImage> lowers_;    // by mesh

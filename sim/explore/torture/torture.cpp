@@ -63,6 +63,8 @@ Config homes_chip() {
     c.xform_interval = 4, c.shade_interval = 4, c.tri_interval = 4, c.raygen_interval = 8, c.box_lanes = 2;
     c.stack_depth = 32, c.tile_bits = 2, c.addr_bits = 10, c.lights = 3, c.bounces = 3;
     c.surf_ways = 4;
+    c.textures = 1, c.texels = TexelFormat::rgb888;
+    c.tex_sets = 2, c.tex_ways = 1, c.tex_line = 128, c.tex_mshrs = 2;
     return c;
 }
 
@@ -87,6 +89,8 @@ Config listed_chip() {
     c.tri_queue = c.shade_queue = 64;   // its pipelines are long
     c.contexts = 32, c.l2_sets = 0, c.surf_line = 64, c.prim_line = 128, c.prim_sets = 8, c.addr_bits = 8,
     c.lights = 4, c.bounces = 4;
+    c.textures = 1, c.texels = TexelFormat::rgb565;
+    c.tex_sets = 4, c.tex_ways = 1, c.tex_line = 64, c.tex_mshrs = 1;
     return c;
 }
 

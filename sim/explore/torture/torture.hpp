@@ -24,9 +24,12 @@ struct TortureCase {
 ///   queues;
 /// - `wide`: boxes, the widest formats, fast timing;
 /// - `sheared`: boxes, the other triangle test, one set in each cache;
-/// - `homes`: two levels that shade, treelets above boxes, every interval at its longest but one;
+/// - `homes`: two levels that shade, treelets above boxes, every interval at its longest but one, textures
+///   with texels of 32 bits;
 /// - `slants`: two levels, planes in any direction above globes, fast timing, no interval;
-/// - `listed`: no tree, every unit that shades, fast timing with the longest interval;
+/// - `listed`: no tree, every unit that shades, fast timing with the longest interval, textures with texels
+/// of
+///   17 bits;
 /// - `rays`: rays from memory, two pipelines, groups of four rays, bursts of two lines, fast timing.
 const std::vector<std::string>& torture_chips();
 Config torture_chip(const std::string& name);
