@@ -93,6 +93,7 @@ TEST_CASE("every count in a report is that of the transfers in a trace") {
         brought["sched"] = count(Link::slot), brought["raygen"] = count(Link::ray);
         brought["trav"] = config.is_list() ? frames[0].trace.visits : count(Link::node_req);
         brought["list"] = count(Link::tri_rsp);
+        brought["tex"] = count(Link::texel_rsp);
         brought["dispatch"] = count(Link::tile);
         brought["memport"] = count(config.l2_sets > 0 ? Link::l2_req : Link::mem_req);
         for (const UnitAccount& a : unit_accounts(config, run)) {

@@ -40,9 +40,9 @@ std::vector<PrimData> mesh(std::int32_t step, int side);
 std::vector<PrimData> panes(const Config& config, int count);
 
 /// Surfaces of a chip that shades: any; half mirror and half glass; colours that are 0 or 1 without any
-/// light; highlights of any sharpness without reflection. In a chip with textures a third of the triangles
-/// have one, unless they are `bright`. Two more styles: most triangles have a texture, some of them larger
-/// than the memory; all triangles are cut-outs, and their textures consist of holes.
+/// light; highlights of any sharpness without reflection. In a chip with textures 44 % of the triangles have
+/// one, unless they are `bright`. Two more styles: most triangles have a texture, some of them larger than
+/// the memory; all triangles are cut-outs, and nearly all of their texels are holes.
 enum class SurfaceStyle { any, clear, bright, shiny, textured, holes };
 /// Draws a surface without a texture.
 Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, SurfaceStyle style);

@@ -28,8 +28,7 @@ struct TortureCase {
 ///   with texels of 32 bits;
 /// - `slants`: two levels, planes in any direction above globes, fast timing, no interval;
 /// - `listed`: no tree, every unit that shades, fast timing with the longest interval, textures with texels
-/// of
-///   17 bits;
+///   of 17 bits;
 /// - `rays`: rays from memory, two pipelines, groups of four rays, bursts of two lines, fast timing.
 const std::vector<std::string>& torture_chips();
 Config torture_chip(const std::string& name);
