@@ -68,8 +68,8 @@ mutant(judge_lights_share_a_colour FILE model/compile/surfaces.cpp TEST simulate
 
 # ---- Rays and primitives: model/unit/isect/any.cpp.
 mutant(judge_far_half_of_shadow_rays_is_free FILE model/unit/isect/any.cpp TEST simulate "cornell --depth 1"
-  OLD [[out.closer = e.num * (Wide(1) << frac) < e.det;]]
-  NEW [[out.closer = e.num * (Wide(1) << frac) * 2 < e.det;]])
+  OLD [[e.num * (Wide(1) << frac) < e.det;]]
+  NEW [[e.num * (Wide(1) << frac) * 2 < e.det;]])
 mutant(judge_plane_rounded_to_zero FILE model/unit/isect/any.cpp TEST simulate "spheres --depth 1"
   OLD [[if (scaled < 0 && whole * det != scaled) --whole;]]
   NEW [[;]])

@@ -114,8 +114,8 @@ mutant(model_origin_boxes_inward FILE model/unit/isect/origin.cpp TEST unit [ori
 
 # ---- Any ray against any primitive: the last bit of a root, and exact contact.
 mutant(model_any_end_of_the_way_blocks FILE model/unit/isect/any.cpp TEST unit [any]~[tri]
-  OLD [[out.closer = e.num * (Wide(1) << frac) < e.det;]]
-  NEW [[out.closer = e.num * (Wide(1) << frac) <= e.det;]])
+  OLD [[e.num * (Wide(1) << frac) < e.det;]]
+  NEW [[e.num * (Wide(1) << frac) <= e.det;]])
 mutant(model_sphere_touch_is_no_hit QUICK FILE model/unit/isect/any.cpp TEST unit
   "tri is right for every camera ray and sphere*"
   OLD [[m.along >= 0 || m.disc < 0 : m.power < 0]]

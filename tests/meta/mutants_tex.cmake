@@ -486,8 +486,8 @@ mutant(tex_pixel_keeps_the_hit_behind_a_hole FILE rtl/unit/shade/rc_pass_begin.s
   NEW [[assign first = 1'b1;]])
 mutant(tex_request_without_scale FILE ${pass_end} TEST unit
   "the rtl's pass is the model's with textures and instances*"
-  OLD [[assign request.scale = scale_i;]]
-  NEW [[assign request.scale = scale_i >> 1;]])
+  OLD [[assign request.scale = cutout_i ? '0 : scale_i;]]
+  NEW [[assign request.scale = cutout_i ? '0 : scale_i >> 1;]])
 mutant(tex_scale_of_the_instance_lost FILE rtl/unit/shade/rc_shade.sv TEST system
   "model and RTL agree on textured instances with holes"
   OLD [[assign place_data.texel_scale = instance_came.texel_scale;]]
@@ -567,7 +567,7 @@ mutant(tex_octahedral_normal_inwards FILE rtl/unit/shade/rc_pass.sv TEST unit ${
   OLD [[.data_i(known.is_inside),]]
   NEW [[.data_i(known.is_inside && 1'b0),]])
 mutant(tex_sphere_without_its_place FILE ${pass_end} TEST unit ${shade_rtl_case}
-  OLD [[request.v = begin_state_i.is_round ? round_v_i : v_i;]]
+  OLD [[request.v = begin_state_i.is_round && !cutout_i ? round_v_i : v_i;]]
   NEW [[request.v = begin_state_i.is_round && 1'b0 ? round_v_i : v_i;]])
 mutant(tex_far_path_never FILE rtl/unit/shade/rc_pass.sv TEST unit ${shade_rtl_case}
   OLD [[end_far ? far_path : near_path;]]

@@ -75,7 +75,7 @@ module rc_pass #(
   // ---- Input: held if a pass stays for more than one cycle.
   logic                       valid;
   logic [RayBits-1:0]         ray;
-  rc_pkg::shade_state_t given, state;   // from rc_contexts; and with the event that the pass handles
+  rc_pkg::shade_state_t given, state;   // from rc_contexts; for the event that the pass handles
   rc_pkg::shade_hit_t         hit;
   logic [3*OriginWidth-1:0]   o;
   logic [3*M-1:0]             d;
@@ -116,8 +116,8 @@ module rc_pass #(
   end
 
   // ---- s0: with textures, a shadow ray may have met a cut-out. Then the pass requests its texture
-  // and handles no event. If the texture has a hole there, the next pass handles the light again, and
-  // its ray passes one cut-out more; after 63 holes the next one counts as opaque.
+  // and handles no event. If the texture has a hole there, the next pass handles the light again.
+  // Its ray passes one cut-out more. After 63 holes the next one counts as opaque.
   logic met_cutout;
 
   if (rc_pkg::HasTextures == 1) begin : gen_cutout

@@ -206,7 +206,7 @@ private:
     std::uint32_t path_ = 0;                   ///< with textures: length of the path so far
     std::uint32_t holes_ = 0;                  ///< of textures, which the ray has passed
     std::optional<TexRsp> texel_;              ///< the last answer of tex
-    std::optional<TexturedSurface> cutout_;   ///< that a shadow ray has met and whose texture decides
+    std::optional<TexturedSurface> cutout_;    ///< that a shadow ray has met and whose texture decides
     std::vector<std::uint32_t> light_holes_;   ///< cut-outs through whose holes the light came so far
     Colour pixel_{};
     Light exact_pixel_{};
