@@ -455,7 +455,7 @@ private:
     }
 
     /// Two mirrors at opposite sides of the lattice. After their bounces between them, rays have longer paths
-    /// than the bits of a path hold.
+    /// than t can hold.
     void add_long_paths() {
         const std::int32_t most = most_of(config_.coord_bits);
         std::vector<PrimData> prims = mesh(most / 2, 3);
