@@ -35,7 +35,7 @@ AlphaRange alpha_near(const Texture& texture, const glm::dvec2& st, const glm::d
     return range;
 }
 
-/// Returns the error of s and t at a hit.
+/// Returns the error of s and t at a hit. It includes the machine's rounding of a place to 256ths of a texel.
 glm::dvec2 error_at(const Scene& scene, const RefClosest& hit, const RefPath& path, const HoleSlack& slack) {
     if (slack.weight == 0 && slack.moved == 0) return glm::dvec2(0);
     const auto& [a, b, c] = scene.coordinates[hit.primitive];
@@ -47,7 +47,10 @@ glm::dvec2 error_at(const Scene& scene, const RefClosest& hit, const RefPath& pa
         const double area = glm::length(n), cosine = std::abs(glm::dot(n, path.direction)) / area;
         weight += slack.moved * (glm::length(e1) + glm::length(e2)) / area / std::max(cosine, 0x1p-8);
     }
-    return weight * (glm::abs(b - a) + glm::abs(c - a)) + 0x1p-18;
+    const Material& material = scene.materials[scene.triangles[hit.primitive].material];
+    const TexelLevel& picture = scene.textures[*material.texture].pyramid->levels[0];
+    return weight * (glm::abs(b - a) + glm::abs(c - a)) + 0x1p-18 +
+           1.0 / (256.0 * glm::dvec2(picture.width, picture.height));
 }
 
 }   // namespace
