@@ -410,7 +410,7 @@ mutant(tex_list_count_goes_on_in_the_next_ray FILE rtl/unit/list/rc_list.sv TEST
   NEW [[u_has_passed (
       .clk_i, .rst_ni, .clear_i(1'b0),]])
 mutant(tex_list_passes_any_primitive FILE rtl/unit/list/rc_list.sv TEST unit ${light_list}
-  OLD [[s1_hits && s1_cut.cutout && passed != s1_holes;]]
+  OLD [[s1_hits && s1_kept.cutout && passed != s1_holes;]]
   NEW [[s1_hits && passed != s1_holes;]])
 mutant(tex_list_loses_the_kind_of_a_hit FILE rtl/unit/list/rc_list.sv TEST unit ${light_list}
   OLD [[assign closest_o.cutout = closest_hit.cutout;]]

@@ -49,7 +49,7 @@ void same_in_every_cycle(const Config& c, int idle, int stall, unsigned seed, in
 
 void check(const char* format, int contexts, int queue, int cycles) {
     const Config c = shape(format, contexts, queue);
-    int pixels = 0, shadows = 0, bounces = 0, samples = 0, closed = 0, textures = 0;
+    int pixels = 0, shadows = 0, bounces = 0, samples = 0, closed = 0, textures = 0, cutouts = 0;
     unsigned seed = 1;
     for (const auto& [name, idle, stall] : flows) {
         Draw draw{seed};
@@ -61,13 +61,14 @@ void check(const char* format, int contexts, int queue, int cycles) {
         ShadeWorld world(c, frame, idle, stall, seed);
         same_in_every_cycle(c, idle, stall, seed++, cycles, world, frame);
         pixels += world.pixels, shadows += world.shadows, bounces += world.bounces, samples += world.samples,
-            closed += world.closed, textures += world.textures;
+            closed += world.closed, textures += world.textures, cutouts += world.cutouts;
     }
     CAPTURE(pixels, shadows, bounces, samples, closed);
     REQUIRE((pixels > 10 && shadows > 10 && bounces > 10));
     REQUIRE((samples > 0) == (c.supersampling));
     REQUIRE((closed > 0) == (queue < 32 && queue < contexts));
     REQUIRE((textures > 10) == c.has_textures());
+    REQUIRE((cutouts > 10) == c.has_textures());
 }
 
 template <class Dut> void still(Dut& dut) {

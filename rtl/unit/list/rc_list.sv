@@ -160,9 +160,12 @@ module rc_list (
   end
 
   // ---- Cut-outs with holes. A ray passes the first ones. The count is 0 until it has passed one.
+  rc_pkg::kept_hit_t s1_kept;
+
+  assign s1_kept = s1_hit;
+
   if (rc_pkg::HasTextures == 1) begin : gen_holes
     localparam int unsigned HoleBits = rc_pkg::HoleBits;
-    rc_pkg::kept_hit_t   s1_cut;
     logic [HoleBits-1:0] s0_holes, s0_passed, s1_holes, s1_passed, passed;
     logic [Contexts-1:0] has_passed;
     logic                was_passed, s1_passes;
@@ -183,13 +186,9 @@ module rc_list (
     rc_path_register #(.Width(2 * HoleBits)) u_s1_holes (
       .clk_i, .data_i({s0_holes, s0_passed}), .data_o({s1_holes, s1_passed}));
 
-    assign s1_cut    = s1_hit;
     assign passed    = was_passed ? s1_passed : '0;
-    assign s1_passes = s1_hits && s1_cut.cutout && passed != s1_holes;
+    assign s1_passes = s1_hits && s1_kept.cutout && passed != s1_holes;
     assign s1_closer = s1_hits && !s1_passes;
-
-    logic unused_cut;
-    assign unused_cut = ^s1_cut;
   end else begin : gen_no_holes
     assign s1_closer = s1_hits;
   end
@@ -540,6 +539,6 @@ module rc_list (
   assign done_ready_o    = closest_ready_i;
 
   logic unused;
-  assign unused = ^{ray_fires_i, ray_i, change_fires_i, change_i, s0_rsp};
+  assign unused = ^{ray_fires_i, ray_i, change_fires_i, change_i, s0_rsp, s1_kept};
 endmodule
 `default_nettype wire

@@ -106,6 +106,9 @@ inline Surface random_surface(Draw& draw, const Config& c) {
         (s.kind == std::uint32_t(PrimKind::sphere) && !c.spheres))
         s.kind = 0;
     s.a = draw.vector(c.coord_bits), s.b = draw.vector(c.coord_bits), s.c = draw.vector(c.coord_bits);
+    // Lattice::snap leaves out the least coordinate.
+    for (Vec3i* corner : {&s.a, &s.b, &s.c})
+        for (auto& x : *corner) x = std::max(x, 1 - (1 << (c.coord_bits - 1)));
     if (s.kind == std::uint32_t(PrimKind::triangle)) {   // edges of whole 2^fine steps
         s.fine = std::uint32_t(draw.below(std::clamp(c.bary_bits - c.origin_bits, 0, most_fine) + 1));
         const std::int32_t step = 1 << s.fine;

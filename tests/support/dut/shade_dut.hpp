@@ -44,7 +44,8 @@ public:
         if (closest.offer) {
             PassIn& in = contexts_[closest.offer->ray].in;
             in.hit = *closest.offer;
-            wants = in.hit.found && in.state.next_event == std::uint32_t(ShadeEvent::arrive);
+            wants = meets_cutout(in) ||
+                    (in.hit.found && in.state.next_event == std::uint32_t(ShadeEvent::arrive));
         }
         if (surf_rsp.fires()) contexts_[surf_rsp.offer->ray].in.surface = surf_rsp.offer->surface;
         if (tex_rsp) {
@@ -76,7 +77,7 @@ private:
         PassOut out;
         std::vector<Waiting> stack;
         Shade::Leave pass(const Frame& frame, const Config& config) {
-            const bool pops = in.state.next_event == std::uint32_t(ShadeEvent::pop) && !stack.empty();
+            const bool pops = !meets_cutout(in) && event_of(in) == ShadeEvent::pop && !stack.empty();
             if (pops) in.top = stack.back(), stack.pop_back();
             out = rayclock::pass(in, frame, config);
             in.state = out.state;
@@ -143,10 +144,12 @@ public:
           stall_(stall),
           draw_(seed),
           free_(std::size_t(config.contexts)),
-          surfaces_(free_.size()) {
+          surfaces_(free_.size()),
+          cutouts_(free_.size()),
+          kinds_(free_.size()) {
         for (std::size_t i = 0; i < free_.size(); ++i) free_[i] = std::uint32_t(i);
     }
-    int pixels = 0, shadows = 0, bounces = 0, samples = 0, closed = 0, textures = 0;
+    int pixels = 0, shadows = 0, bounces = 0, samples = 0, closed = 0, textures = 0, cutouts = 0;
 
     /// Drives the inputs of this cycle.
     void offer(ShadeLinks& in) {
@@ -161,6 +164,7 @@ public:
         } else if (!made_.empty() && !draw_.percent(idle_)) {
             in.ray = take(made_);
             sent_ = in.ray->ray;
+            kinds_[in.ray->ray] = in.ray->kind;
         }
         in.closest.offer.reset();
         if (!in.ray && !flying_.empty() && !draw_.percent(idle_)) {
@@ -168,6 +172,10 @@ public:
             surfaces_[ray] = random_surface(draw_, config_);
             in.closest.offer = random_closest(draw_, config_, surfaces_[ray]);
             in.closest.offer->ray = ray;
+            cutouts_[ray] =
+                config_.has_textures() && ends_at_any(kinds_[ray]) && in.closest.offer->found && draw_.coin();
+            in.closest.offer->cutout = cutouts_[ray];
+            cutouts += int(cutouts_[ray]);
         }
         if (!surface_ && !requested_.empty() && !draw_.percent(idle_)) {
             surface_ = SurfRsp{requested_.front(), surfaces_[requested_.front()]};
@@ -178,8 +186,7 @@ public:
         in.tex_rsp.reset(), in.tex_req.ready = false;
         if (config_.has_textures()) {
             in.tex_req.ready = !draw_.percent(stall_);
-            if (!textured_.empty() && !draw_.percent(idle_))
-                in.tex_rsp = TexRsp{take(textured_), draw_.coin(), shares_up_to(draw_, share_bits)};
+            if (!textured_.empty() && !draw_.percent(idle_)) in.tex_rsp = texture_of(take(textured_));
         }
         in.surf_req.ready = !draw_.percent(stall_), in.spawn.ready = !draw_.percent(stall_),
         in.pixel.ready = !draw_.percent(stall_);
@@ -209,6 +216,11 @@ private:
         from.erase(at);
         return value;
     }
+    /// Spheres and planes have no holes.
+    TexRsp texture_of(std::uint32_t ray) {
+        const bool may_have_hole = cutouts_[ray] || PrimKind(surfaces_[ray].kind) == PrimKind::triangle;
+        return {ray, may_have_hole && draw_.coin(), shares_up_to(draw_, share_bits)};
+    }
     Ray camera_ray(std::uint32_t number) {
         Ray ray;
         ray.ray = number;
@@ -221,7 +233,8 @@ private:
     int idle_, stall_;
     Draw draw_;
     std::vector<std::uint32_t> free_;
-    std::vector<Surface> surfaces_;   // the surface that the context's ray hit
+    std::vector<Surface> surfaces_;                // the surface that the context's ray hit
+    std::vector<std::uint32_t> cutouts_, kinds_;   // whether it is a cut-out; the ray's kind
     // Rays sent in this cycle and in the previous one. No ray is answered in the cycle in which it is sent.
     std::optional<std::uint32_t> sent_, before_;
     std::vector<std::uint32_t> flying_;
