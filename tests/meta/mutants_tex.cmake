@@ -158,7 +158,7 @@ mutant(tex_model_path_of_0_has_a_level FILE ${tex_model} TEST unit [tex][level]
   OLD [[if (hit.path == 0) return 0;]]
   NEW [[;]])
 mutant(tex_model_cutouts_do_not_stop FILE model/unit/list/ray_tests.hpp WITH tests/unit/list_test.cpp
-  TEST unit "a ray to a light passes as many cut-outs as have holes, and the next one ends it - ListModel"
+  TEST unit [list][hole]
   OLD [[return any_ && best_.found; }]]
   NEW [[return any_ && best_.found && !found_.cutout; }]])
 
@@ -399,7 +399,7 @@ mutant(tex_texture_not_multiplied FILE rtl/unit/shade/rc_ambient.sv TEST unit ${
   NEW [[s0_colour  = s0_texture_i && 1'b0 ? tinted : plain;]])
 
 # ---- Light through holes in the RTL.
-set(light_list "a ray to a light passes as many cut-outs as have holes, and the next one ends it - ListRtl")
+set(light_list [list][hole])
 set(light_pass "the rtl's pass is the model's with textures")
 mutant(tex_list_passes_not_counted QUICK FILE rtl/unit/list/rc_list.sv TEST unit ${light_list}
   OLD [[.write_data_i(passed + HoleBits'(1)),]]
@@ -414,7 +414,7 @@ mutant(tex_list_passes_any_primitive FILE rtl/unit/list/rc_list.sv TEST unit ${l
   NEW [[s1_hits && passed != s1_holes;]])
 mutant(tex_list_loses_the_kind_of_a_hit FILE rtl/unit/list/rc_list.sv TEST unit ${light_list}
   OLD [[assign closest_o.cutout = closest_hit.cutout;]]
-  NEW [[assign closest_o.cutout = 1'b0;]])
+  NEW [[assign closest_o.cutout = closest_hit.cutout && 1'b0;]])
 mutant(tex_tri_cutout_has_no_weights FILE rtl/unit/isect/rc_tri.sv TEST unit
   "tri of a chip that shades decides exactly and measures within its bound - Rtl<TriUnit>"
   OLD [[(!pre_any || pre_cutout);]]
