@@ -18,8 +18,8 @@ std::optional<Scene> align_large_triangles(const Scene& scene, const Lattice& la
 /// Returns primitive number i on the lattice.
 PrimData snap_primitive(const Scene& scene, const Lattice& lattice, std::size_t i);
 
-/// Sets the kind of those that are cut-outs: with textures, triangles whose material has a picture and a
-/// cut-off. PrimData::prim is the number of a triangle.
+/// Changes the kind of some triangles to cut-out, if the chip has textures: of those whose material has a
+/// texture and a cut-off. PrimData::prim is an index into `triangles`.
 void mark_cutouts(const std::vector<Triangle>& triangles, const std::vector<CornerCoordinates>& coordinates,
                   const std::vector<Material>& materials, const Config& config, std::vector<PrimData>& prims);
 

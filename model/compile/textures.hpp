@@ -12,8 +12,8 @@
 namespace rayclock {
 
 /// Returns the texture record of a primitive that shows a texture. `base`: the first line of its texels. A
-/// sphere's corners are (0, 0), (1, 0) and (0, 1): its u and v are places in the octahedral picture. A plane
-/// without plane_coordinates() has the texture's last level everywhere.
+/// sphere's corners are (0, 0), (1, 0) and (0, 1): its u and v are a place in the octahedral picture. A plane
+/// for which plane_coordinates() returns nothing has the texture's last level everywhere.
 TexRecord record_of(const Scene& scene, const Lattice& lattice, const Config& config, std::size_t primitive,
                     std::uint32_t base);
 
@@ -27,18 +27,18 @@ void write_texels(const Scene& scene, const Config& config, const std::string& n
                   MemoryImage& image);
 
 /// Appends a record for each textured primitive, after write_texels(). `lattice`: the primitives' lattice.
-/// Returns the line of each primitive's record, 0 without a texture; an empty list if the chip or the scene
-/// has no textures. Throws UserError beyond the address range.
+/// Returns the line of each primitive's record, or 0 if the primitive shows no texture. Returns an empty list
+/// if the chip or the scene has no textures. Throws UserError beyond the address range.
 std::vector<std::uint32_t> write_records(const Scene& scene, const Lattice& lattice, const Config& config,
                                          const std::string& name, const TextureLines& known,
                                          MemoryImage& image);
 
-/// Writes the same records again, into these lines.
+/// Writes the records again, into the lines that write_records() returned.
 void rewrite_records(const Scene& scene, const Lattice& lattice, const Config& config,
                      const TextureLines& known, const std::vector<std::uint32_t>& records,
                      MemoryImage& image);
 
-/// Calls write_texels() and write_records() for a scene that is alone in the image.
+/// Calls write_texels() and write_records(), for an image of one scene.
 std::vector<std::uint32_t> write_textures(const Scene& scene, const Lattice& lattice, const Config& config,
                                           const std::string& name, MemoryImage& image);
 

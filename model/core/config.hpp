@@ -41,8 +41,9 @@ constexpr int strength_bits = 17;   ///< a light's colour, share_bits of them fr
 /// A light, or a point of a plane, may lie 2^8 times as far away as the lattice reaches.
 constexpr int light_reach = 8;
 constexpr int plane_bits = 12;   ///< whole bits of a plane's u and v
-/// A point lies at most 2^(N-1+light_reach) steps away on each axis, so its distance is below 2^(N+8), and t
-/// reaches 2^(N+2) (rtl/unit/shade/rc_far_path.sv).
+/// Additional bits of a path's length in a chip with planes (rtl/unit/shade/rc_far_path.sv). A point lies at
+/// most 2^(N-1+light_reach) steps away on each axis, so its distance is below 2^(N+8). t only reaches
+/// 2^(N+2).
 constexpr int far_path_bits = light_reach - 2;
 /// Steps in which a distant ray finds the lattice: model/unit/shade/approach.hpp.
 constexpr int approach_steps = 12;
@@ -91,8 +92,8 @@ struct Config {
     // Derived.
     /// Bits of a distance. A distance saturates; all ones means beyond.
     int t_bits() const { return coord_bits + 2 + t_frac_bits; }
-    /// Bits of the length of a path, which saturates: of textures. Planes are seen 2^far_path_bits as far
-    /// away as a distance reaches.
+    /// With textures: bits of the length of a path. The length saturates. Points on planes can be
+    /// 2^far_path_bits times as far away as the largest t.
     int path_bits() const { return planes ? std::min(t_bits() + far_path_bits, 32) : t_bits(); }
     PrimitiveTest test() const { return primitive_test; }
     bool has_splits() const { return is_bvh() && splits == Splits::on; }

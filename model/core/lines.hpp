@@ -107,8 +107,8 @@ enum class WrapMode : std::uint32_t { repeat, mirror, clamp };
 /// The texture on a surface: a line of memory (right-aligned), which Surface::record names. One unit of s
 /// and t is the whole picture; t points down.
 struct TexRecord {
-    /// Of the corners a, b and c in Surface, coordinate_frac fraction bits. Of a sphere: where u and v are 0,
-    /// where u is 1, and where v is 1.
+    /// The coordinates at the corners a, b and c of Surface, coordinate_frac fraction bits. For a sphere: at
+    /// (u, v) = (0, 0), (1, 0) and (0, 1).
     std::array<std::int32_t, 3> s{}, t{};
     std::uint32_t base = 0;   ///< first line of level 0; model/unit/tex/texel.hpp has the others
     std::uint32_t log_width = 0, log_height = 0;   ///< logarithms of the sides of level 0, in texels

@@ -121,8 +121,8 @@ struct Ray {
     /// 1: the ray meets only some primitives. A ray to or from a light meets those that have an end. A bounce
     /// meets planes, and begins beyond the lattice, at o 2^far_drop.
     std::uint32_t partial = 0;
-    /// With textures, for a ray to or from a light: the number of cut-outs in its way that have a hole there.
-    /// They are the first ones in the order of the tests, and the ray ignores them.
+    /// With textures, for a ray to or from a light: the number of cut-outs in its way that are known to have
+    /// a hole there. The ray ignores this many cut-outs, the first ones in the order of the tests.
     std::uint32_t holes = 0;
     Home home;   ///< with instances, if this is not a camera ray
     template <class V> void fields(V& v, const Config& c) {
@@ -279,7 +279,7 @@ struct Done {
 };
 
 /// list -> sched or shade: the closest hit of a finished ray. For a ray to or from a light: 1 in `found` if
-/// something is in its way, and zeros. For a cut-out the other fields are those of the hit.
+/// something is in its way, and zeros. If it is a cut-out, the other fields describe its hit.
 struct Closest {
     std::uint32_t ray = 0;
     std::uint32_t found = 0;
@@ -305,16 +305,16 @@ inline bool same_answer(const Closest& a, const Closest& b) {
            a.back == b.back;
 }
 
-/// shade -> tex: the hit of a surface with a texture. For a cut-out in the way to a light: path 0, cosine 1,
-/// scale 0.
+/// shade -> tex: the hit of a surface with a texture. If the surface is a cut-out in the way to a light, path
+/// is 0, cosine is 1 and scale is 0.
 struct TexReq {
     std::uint32_t ray = 0;
     std::uint32_t record = 0;   ///< as in Surface
-    /// Approximate length of the path from the eye to the hit: units of 2^-F lattice steps, saturated. 0 asks
-    /// for level 0.
+    /// Approximate length of the path from the eye to the hit: units of 2^-F lattice steps, saturated. 0
+    /// selects level 0.
     std::uint32_t path = 0;
     std::uint32_t cosine = 0;   ///< between view and normal, 0..1, unit_bits fraction bits
-    /// Of the hit, as in Closest. Of a sphere: the place of its normal in the octahedral picture,
+    /// Of the hit, as in Closest. For a sphere: the place of the normal in the octahedral picture, see
     /// octahedral().
     std::uint32_t u = 0, v = 0;
     std::int32_t scale = 0;   ///< with two levels: Placement::texel_scale

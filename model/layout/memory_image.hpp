@@ -44,7 +44,8 @@ struct MemoryImage {
     /// With two levels: first line of the lower structures. The scene's tree and its instances lie before it.
     std::uint32_t first_mesh_line = 0;
     std::uint32_t first_surface_line = 0;   ///< line of primitive 0's surface, if the chip shades
-    /// Number of the first plane, if the chip shades, and the line of its surface. The other planes follow.
+    /// If the chip shades: the number of the first plane and the line of its surface. The other planes
+    /// follow.
     std::uint32_t first_plane = ~0u, first_plane_surface_line = 0;
     std::uint32_t first_ray_line = 0;       ///< with a stream: line of its first two rays
     std::vector<std::uint32_t> records{};   ///< with a stream: 8 words for each ray, from that line on

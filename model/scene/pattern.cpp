@@ -14,7 +14,7 @@ namespace {
 
 double fraction_of(double x) { return x - std::floor(x); }
 
-/// Returns the colour between those of a row at equal distances. x = 0 gives the first, x = 1 the last.
+/// Interpolates linearly between colours at equal distances. x = 0 gives the first colour, x = 1 the last.
 glm::dvec3 between(const std::vector<glm::dvec3>& colours, double x) {
     const double at = std::clamp(x, 0.0, 1.0) * double(colours.size() - 1);
     const auto first = std::min(std::size_t(at), colours.size() - 2);
@@ -57,7 +57,7 @@ private:
     std::vector<double> values_;
 };
 
-/// Sums the octaves of a noise, and spreads the sums over 0 to 1.
+/// The weighted mean of the octaves of a noise, within 0..1.
 class Noise {
 public:
     explicit Noise(const Pattern& p) {
@@ -102,7 +102,7 @@ TexelLevel texels_of(const Pattern& pattern) {
         case Pattern::Kind::noise: break;
     }
     const Noise noise(pattern);
-    // The sums reach neither 0 nor 1. Their range in this picture is stretched to these ends.
+    // The sums rarely reach 0 or 1. The range that they have in this picture is stretched to 0..1.
     double low = 1, high = 0;
     for (int y = 0; y < pattern.height; ++y)
         for (int x = 0; x < pattern.width; ++x) {

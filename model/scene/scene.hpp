@@ -31,7 +31,7 @@ struct Material {
     /// Fresnel's term weights `mirror` and `transmit`, in the approximation of Schlick 1994.
     bool schlick = false;
     /// Index into Scene::textures: the picture multiplies the surface's colour. The picture on a sphere is
-    /// octahedral (octahedral_picture()); a loader gives spheres materials of their own.
+    /// octahedral (octahedral_picture()), so a loader gives textured spheres materials of their own.
     std::optional<std::uint32_t> texture{};
     /// A triangle has a hole where its texture's alpha is below this. 0: no holes. Spheres and planes have no
     /// holes. Only finished pictures show holes, and light passes through them.
@@ -64,8 +64,8 @@ struct Sphere {
     glm::dvec3 centre{0};
     double radius = 1;
     std::uint32_t material = 0;
-    /// Turns the axes of a texture into those of the scene, before a loader makes it octahedral: the top of
-    /// the picture lies on turn[1], and its middle on turn[2].
+    /// The rotation from the axes of a picture to the axes of the scene. A loader applies it when it makes
+    /// the picture octahedral: the picture's top lies on turn[1], and its middle on turn[2].
     glm::dmat3 turn{1};
 };
 
@@ -106,7 +106,7 @@ inline std::size_t primitive_count(const Scene& scene) {
 
 /// Returns the number of the texture that a primitive shows, or nothing.
 std::optional<std::uint32_t> texture_of(const Scene& scene, std::size_t primitive);
-/// True if the scene has coordinates of triangles, or a sphere or plane shows a texture.
+/// True if triangles of the scene have texture coordinates, or a sphere or plane shows a texture.
 bool shows_textures(const Scene& scene);
 
 /// Axis-aligned bounds of all vertices that triangles use, and of spheres. Planes are infinite and do not

@@ -49,8 +49,8 @@ constexpr int most_texture_side = 4096;
 /// The largest |s| and |t| of a triangle's corner, after the shift by whole periods.
 constexpr double most_coordinate = 64;
 
-/// The largest |s| and |t| that a file may give, and those of a plane. Beyond it, a 32-bit float keeps too
-/// few digits of a texel.
+/// The largest |s| and |t| that a file may give, for triangles and planes. A 32-bit float of a larger number
+/// has too few digits for a texel.
 constexpr double most_given_coordinate = 1e6;
 
 /// The coordinates (s, t) of a triangle's three corners.
@@ -99,9 +99,9 @@ double texture_detail(const Texture& texture, const std::array<glm::dvec3, 3>& v
 /// Does the same for a triangle of a scene whose material has a texture.
 double texture_detail(const Scene& scene, std::uint32_t triangle);
 
-/// Returns the same for a plane, and for a sphere with an octahedral picture. A sphere has one number for its
-/// whole surface: log2 sqrt(texels / area). Its true density lies from 0.37 below to 0.83 above
-/// (docs/machine/shading.md).
+/// Return the same for a plane, and for a sphere with an octahedral picture. A sphere has one number for its
+/// whole surface: log2 sqrt(texels / area). The true density lies between 0.37 below and 0.83 above this
+/// number (docs/machine/shading.md).
 double texture_detail(const Texture& texture, const Plane& plane);
 double texture_detail(const Texture& texture, const Sphere& sphere);
 
@@ -111,13 +111,14 @@ double texture_detail(const Texture& texture, const Sphere& sphere);
 glm::dvec2 octahedral_place(const glm::dvec3& direction);
 /// Returns the unit vector for a place in an octahedral picture.
 glm::dvec3 octahedral_direction(const glm::dvec2& st);
-/// Returns the side of the octahedral picture for a picture of longitude and latitude: the power of two
-/// nearest to half its width, or to its height if that is more. The equator then has as many texels as the
-/// picture's width.
+/// Returns the side of the octahedral picture for a picture of longitude and latitude: half the width of the
+/// picture's level 0, or its height if that is more. Both are powers of two. With half the width, the equator
+/// has as many texels as the picture's width.
 int octahedral_side(const Texture& texture);
 /// Turns a picture of longitude (s; the middle is +z, and s increases towards +x) and latitude (the top is
-/// +y) into an octahedral picture. A texel is the mean of the picture at 4 x 4 places in the texel's area,
-/// filtered as `texture.nearest` says, in linear light. `turn`: Sphere::turn. The result clamps at its edges.
+/// +y) into an octahedral picture. A texel is the mean of the picture at 4 x 4 places in the texel's area, in
+/// linear light. `texture.nearest` selects the filter at these places. `turn`: Sphere::turn. The result
+/// clamps at its edges.
 Texture octahedral_picture(const Texture& texture, const glm::dmat3& turn);
 
 /// Returns the angle between the rays of neighbouring samples: 2 tan(fov / 2) / picture height / samples per

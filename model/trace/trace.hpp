@@ -46,9 +46,9 @@ struct Trace {
     /// Marks a word with the line of an instance or of its material.
     static constexpr std::uint32_t place_flag = 1u << 31;
     static constexpr std::uint32_t surface_flag = 1u << 24,
-                                   pixel_flag = 1u << 25,   ///< of the word after a ray
-        texture_flag = 1u << 28,                            ///< in the same word: a texture is read
-        cutout_flag = 1u << 29;   ///< in the same word: that of a cut-out in the way to a light
+                                   pixel_flag = 1u << 25,    ///< of the word after a ray
+        texture_flag = 1u << 28,                             ///< in the same word: a texture is read
+        cutout_flag = 1u << 29;                              ///< in the same word: it belongs to a cut-out
     static constexpr std::uint32_t record_flag = 1u << 30;   ///< marks the word of a texture record
     static constexpr int purpose_shift = 26;                 ///< in the same word: RayPurpose of the next ray
     static constexpr std::uint32_t node_mask = (1u << max_addr_bits) - 1,

@@ -12,7 +12,7 @@
 namespace rayclock {
 namespace {
 
-/// The library of picture formats gives advice in further lines.
+/// Returns a reason without its further lines, in which the library of picture formats gives advice.
 std::string first_line(std::string_view reason) {
     return printable(reason.substr(0, reason.find('\n')), 200);
 }

@@ -10,7 +10,7 @@
 namespace rayclock {
 namespace {
 
-/// NaN, which a binary file may hold, becomes 0.
+/// Clamps to 0..1. NaN, which a binary file may hold, becomes 0.
 double fraction(double x) { return x > 0 ? std::min(x, 1.0) : 0; }
 glm::dvec3 fractions(const glm::vec3& c) { return {fraction(c.r), fraction(c.g), fraction(c.b)}; }
 

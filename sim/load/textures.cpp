@@ -200,7 +200,8 @@ private:
         if (scene_.own.materials[plane.material].cutoff > 0) warnings_.count("plane", without_holes);
     }
 
-    /// Gives the sphere a material with an octahedral picture. Spheres that are turned alike share it.
+    /// Gives the sphere a material with an octahedral picture. Spheres with the same material and rotation
+    /// share it.
     void settle_sphere(Sphere& sphere) {
         if (!has_texture(sphere.material)) return;
         shows_round_ = true;
@@ -241,7 +242,7 @@ private:
     AverageMaterials plain_;
     Warnings warnings_;
     bool shows_any_ = false;     // a triangle shows a texture
-    bool shows_round_ = false;   // a sphere or plane does
+    bool shows_round_ = false;   // a sphere or plane shows one
     std::map<std::pair<std::uint32_t, std::array<double, 9>>, std::uint32_t> round_;   // materials of spheres
 };
 
@@ -325,7 +326,7 @@ const PictureFiles::Listing& PictureFiles::listing(const std::filesystem::path& 
     return found->second;
 }
 
-/// Returns the file whose name differs only in case, or the path itself if there is none.
+/// Returns the path if it exists, otherwise a file whose name differs only in case, otherwise the path.
 std::filesystem::path PictureFiles::spelled_on_disk(const std::filesystem::path& path) {
     std::error_code error;
     if (std::filesystem::exists(path, error)) return path;

@@ -22,15 +22,16 @@ std::shared_ptr<const Pyramid> read_pyramid(const std::string& bytes, const std:
                                             const std::string& name, Loading& loading, std::string& why);
 
 /// The continuation of a note about a "material" that shows the average colour of its picture.
-constexpr const char* averaged_texture = "with a texture of its colour, drawn in the mean of the texture";
+constexpr const char* averaged_texture =
+    "with a texture of its colour, drawn in the texture's average colour";
 
 /// Returns the name of a picture with / as the separator. An absolute name becomes the name of a file next to
-/// the mesh: its folder is one of the author's machine.
+/// the mesh, because its folder belongs to the author's machine.
 std::string portable_name(std::string name);
 
-/// The pictures that a mesh file names. Reads each once. The case of names does not matter, because programs
-/// for DOS and Windows do not keep it. Meshes often travel without their pictures, so an unreadable picture
-/// only causes a note.
+/// The pictures that a mesh file names. Reads each picture once. Ignores the case of file names, because
+/// programs for DOS and Windows do not keep it. Meshes are often distributed without their pictures, so an
+/// unreadable picture only causes a note.
 class PictureFiles {
 public:
     /// `file` begins the notes. `namer` is the kind of file that holds the names, for example "mesh". The
@@ -38,14 +39,13 @@ public:
     PictureFiles(std::string file, std::string namer, Loading& loading)
         : file_(std::move(file)), namer_(std::move(namer)), loading_(loading) {}
 
-    /// Returns the levels of the picture `name`, which is relative to `folder`. Returns null if it cannot be
-    /// read.
+    /// Returns the levels of the picture `name`, which is relative to `folder`, or null if it cannot be read.
     std::shared_ptr<const Pyramid> pyramid(const std::filesystem::path& folder, const std::string& name);
     /// Returns its average: linear red, green, blue, and opacity. Returns nothing if it cannot be read.
     std::optional<glm::vec4> average(const std::filesystem::path& folder, const std::string& name);
 
 private:
-    /// The files of a folder by their names in lower case; of equal ones, the first in the alphabet.
+    /// The files of a folder by their names in lower case. If two are equal, the first in alphabetical order.
     using Listing = std::map<std::string, std::string>;
 
     const Listing& listing(const std::filesystem::path& folder);

@@ -215,7 +215,7 @@ TEST_CASE("the page of scale has every frame with its cost, and its exponents ar
     check_refused(run_program({"study", "scale", "-o", folder.name("."), "--sizes", "0x5"}), {"0 x 5"});
 }
 
-TEST_CASE("the page of textures has every filter and format, and its cycles are those of simulate") {
+TEST_CASE("the page of textures has every filter and format, and the same cycles as simulate") {
     const Folder folder;
     const Outcome outcome =
         run_program({"study", "textures", "-o", folder.name("page"), "--size", "48x36", "--scenes",

@@ -323,7 +323,7 @@ TEST_CASE("a plane's record follows the coordinates of its squares, or shows the
         const TexRecord record = record_of(scene, lattice, config, 0, 5);
         const Surface surface = surface_of(scene, lattice, config, 0);
         INFO("plane " << i << ", squares of " << size);
-        // The coordinates of a corner of the surface: x counts squares along u, and -z those along v.
+        // The coordinates of a corner of the surface. x counts squares along u, and -z along v.
         const auto at = [&](const Vec3i& corner) {
             const double u = (corner[0] * lattice.pitch.x - plane.point.x) / size,
                          v = (plane.point.z - corner[2] * lattice.pitch.z) / size;

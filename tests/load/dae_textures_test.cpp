@@ -32,7 +32,7 @@ struct Read {
 };
 
 /// The parts of a document. Its mesh is the square with the corners (0, 0) to (1, 1) and has two sets of
-/// coordinates: the corner's place, and a quarter of it.
+/// coordinates: the corner's place, and a quarter of this place.
 struct Document {
     std::string images = "<image id=\"i\"><init_from>p.png</init_from></image>";
     std::string sampler = "<sampler2D><source>surface</source></sampler2D>";
@@ -101,8 +101,8 @@ std::string refusal(const Document& document) {
     return said;
 }
 
-/// Requires that each corner has the coordinates (x, 1 - y) * scale + offset of its place: t counts up in the
-/// file and down in the scene.
+/// Requires that each corner has the coordinates (x, 1 - y) * scale + offset for its place (x, y): t
+/// increases upwards in the file and downwards in the scene.
 void check_coordinates(const Scene& scene, double scale = 1) {
     REQUIRE(scene.coordinates.size() == scene.triangles.size());
     const std::vector<Corners> corners = corners_of(scene);
@@ -116,7 +116,7 @@ void check_coordinates(const Scene& scene, double scale = 1) {
 
 }   // namespace
 
-TEST_CASE("dae: a picture by its sampler and surface replaces the diffuse colour, and t counts up") {
+TEST_CASE("dae: a picture by its sampler and surface replaces the diffuse colour, and t increases upwards") {
     const Read made = read({});
     CHECK(made.notes.empty());
     CHECK(made.material().colour == glm::dvec3(1));
@@ -129,7 +129,7 @@ TEST_CASE("dae: a picture by its sampler and surface replaces the diffuse colour
     CHECK(texture.pyramid->levels[0].texels[1] == std::array<std::uint8_t, 4>{255, 0, 0, 255});
 }
 
-TEST_CASE("dae: a picture without a surface, as in 1.5, and one that the texture names itself") {
+TEST_CASE("dae: a picture without a surface, as in 1.5, and a picture that the texture names itself") {
     Document document;
     document.params.clear();
     document.images = "<image id=\"i\"><init_from><ref>./p.png</ref></init_from></image>";
@@ -142,7 +142,7 @@ TEST_CASE("dae: a picture without a surface, as in 1.5, and one that the texture
     CHECK(read(document).texture().name == "p.png");
 }
 
-TEST_CASE("dae: names of pictures are URIs, and those of another machine lie next to the document") {
+TEST_CASE("dae: names of pictures are URIs, and absolute names mean files next to the document") {
     Document document;
     const Folder folder;
     folder.write("my wood.png", picture());
@@ -263,7 +263,7 @@ TEST_CASE("dae: coordinates of polygons, strips, fans, vertices, and sources wit
     check("triangles", "<p>0 1 2 0 2 3</p>", 2);
 }
 
-TEST_CASE("dae: without coordinates, or with a set that is missing, the average colour is drawn") {
+TEST_CASE("dae: without coordinates, or with a missing set, the average colour is drawn") {
     Document document;
     document.bind = "<bind_vertex_input semantic=\"UV\" input_semantic=\"TEXCOORD\" input_set=\"7\"/>";
     for (int i = 0; i < 2; ++i) {
@@ -286,7 +286,7 @@ TEST_CASE("dae: --no-textures draws the average colour") {
     CHECK(glm::length(made.material().colour - glm::dvec3(0.5)) < 1e-6);
     REQUIRE(made.notes.size() == 1);
     CHECK_THAT(made.notes[0],
-               Contains("1 material with a texture of its colour, drawn in the mean of the texture"));
+               Contains("1 material with a texture of its colour, drawn in the texture's average colour"));
 }
 
 TEST_CASE("dae: a picture that is missing or cut off leaves a grey surface and one sentence") {

@@ -79,7 +79,7 @@ TEST_CASE("assimp: a file of another kind is drawn where its author put it, pack
     CHECK_THAT(said, Contains("b.fbx: Assimp cannot read it: ") && !Contains("ERROR"));
 }
 
-TEST_CASE("assimp: pictures keep their coordinates, and t counts up in AC3D") {
+TEST_CASE("assimp: pictures keep their coordinates, and t increases upwards in AC3D") {
     if (!is_there()) return;   // without Assimp nothing can be tested
     const Folder folder;
     folder.write("p.png", png_bytes({{2, 2}, {{1, 1, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}));

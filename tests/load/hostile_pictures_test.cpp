@@ -1,5 +1,5 @@
-// Hostile and unusual pictures: each is drawn right, or gives one sentence, in time and memory proportional
-// to its size.
+// Hostile and unusual pictures: each is drawn correctly, or causes one sentence, in time and memory
+// proportional to its size.
 #include <catch2/catch.hpp>
 
 #include <ctime>
@@ -33,7 +33,7 @@ double processor_seconds() {
     return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
-/// Returns the reason why a picture cannot be read, within the time of a small file, or an empty string.
+/// Returns the reason why a picture cannot be read, or an empty string. Requires the time of a small file.
 std::string refusal(const std::string& bytes) {
     const double start = processor_seconds();
     std::string reason;
@@ -46,16 +46,16 @@ std::string refusal(const std::string& bytes) {
     return reason;
 }
 
-/// Replaces bytes by a number with the least byte first, or the highest.
+/// Replaces bytes by a number, with the lowest byte first or the highest byte first.
 template <class Number>
 std::string with(std::string bytes, std::size_t at, Number value, bool is_big_endian = false) {
     return bytes.replace(at, sizeof value, raw(value, is_big_endian));
 }
 
-/// A JPEG file's frame header begins with the bytes ff c0; the height is 5 bytes behind.
+/// The frame header of a JPEG file begins with the bytes ff c0. The height follows 5 bytes after its start.
 std::size_t jpeg_size_at(const std::string& jpeg) { return jpeg.find("\xff\xc0") + 5; }
 
-/// A picture in every format with the sides that its header claims. Its data is that of a few texels.
+/// Pictures in every format whose headers claim these sides. Their data has only a few texels.
 std::vector<std::pair<std::string, std::string>> claiming(std::uint32_t side) {
     const auto s16 = static_cast<std::uint16_t>(std::min(side, 65'500u));   // what the format can claim
     const std::string jpeg = small_jpeg({200});
@@ -102,15 +102,15 @@ TEST_CASE("pictures: a picture without texels is refused") {
 }
 
 TEST_CASE("pictures: a small file must not hold 2^28 texels") {
-    // Compressed, 2^28 black texels of 1 bit have 33 kB. The data here is cut, because the size is enough.
+    // 2^28 black texels of 1 bit take 33 kB when compressed. Here the data is cut, because the size decides.
     for (const int depth : {1, 8}) {
         const std::string reason = refusal(png_of(16'384, 16'384, depth, 0, std::string(1 << 20, '\0')));
         CHECK_THAT(reason, Contains("16384x16384 texels in a file of ") && Contains("bytes are too many"));
     }
-    // A decoder of interlaced rows would make room for all texels first.
+    // A decoder of interlaced rows would allocate memory for all texels first.
     CHECK_THAT(refusal(png_of(16'384, 8'192, 16, 6, std::string(100, '\0'), {}, true)),
                Contains("16384x8192 texels in a file of "));
-    // The longest side of a texture is never too much.
+    // The largest texture always fits.
     std::string rows;
     for (int y = 0; y < 4096; ++y) rows += std::string(513, '\0');
     CHECK(decoded_picture(png_of(4096, 4096, 1, 0, rows)).texels.size() == std::size_t(1) << 24);

@@ -264,7 +264,7 @@ TEST_CASE(
     CHECK(colour.b == Approx(0.125).epsilon(0.01));   // 8 bits of sRGB
     REQUIRE(outside.notes.size() == 1);
     CHECK_THAT(outside.notes[0],
-               Contains("1 material with a texture of its colour, drawn in the mean of the texture"));
+               Contains("1 material with a texture of its colour, drawn in the texture's average colour"));
     const Told inside =
         told(folder, "inside.gltf", with("{\"uri\":\"data:image/png;base64," + base64(png) + "\"}"),
              Textures::averaged);

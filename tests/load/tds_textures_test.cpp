@@ -1,4 +1,4 @@
-// Pictures of 3DS: their chunks, placement and coordinates. Four formats show the same picture the same way.
+// Pictures of 3DS: their chunks, placement and coordinates. Four formats show one picture in the same way.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -34,7 +34,7 @@ std::string picture() { return png_bytes({{2, 2}, {{1, 1, 1}, {1, 0, 0}, {0, 1, 
 
 std::string word(int value) { return raw(static_cast<std::uint16_t>(value)); }
 
-/// A chunk with the name of a file, and other chunks of a map.
+/// A texture map: the chunk with the name of its file, and other chunks.
 std::string map_of(const std::string& file, const std::string& more = {}) {
     return chunk(0xa200, chunk(0xa300, file + '\0') + more);
 }
@@ -42,7 +42,7 @@ std::string map_of(const std::string& file, const std::string& more = {}) {
 using Points = std::vector<std::array<float, 2>>;
 const Points square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
-/// A square in the plane of x and y, seen from above z, in the material m.
+/// A square in the plane of x and y, seen from above z, with the material m.
 std::string tds(const std::string& maps, const Points& coordinates = square) {
     std::string positions = word(4), sts = word(int(coordinates.size())), faces = word(2);
     for (const auto& [x, y] : square) positions += raw(x) + raw(-0.f) + raw(y);   // z is up in 3DS
@@ -88,7 +88,7 @@ void check_coordinates(const Scene& scene, const glm::dvec2& scale = glm::dvec2(
 
 }   // namespace
 
-TEST_CASE("3ds: a picture replaces the diffuse colour, and t counts up") {
+TEST_CASE("3ds: a picture replaces the diffuse colour, and t increases upwards") {
     const Folder folder;
     const Read made = read(folder, tds(map_of("P.PNG", chunk(0x0030, word(100)))));
     CHECK(made.notes.empty());   // the case of names does not matter
@@ -101,7 +101,7 @@ TEST_CASE("3ds: a picture replaces the diffuse colour, and t counts up") {
 
 TEST_CASE("3ds: scale, offset and tiling of a picture") {
     const Folder folder;
-    // The shift into the first period hides whole offsets, so these are fractions.
+    // The shift into the first period removes whole offsets, so these are fractions.
     Read made =
         read(folder, tds(map_of("p.png", chunk(0xa354, raw(0.5f)) + chunk(0xa356, raw(0.25f)) +
                                              chunk(0xa358, raw(0.125f)) + chunk(0xa35a, raw(0.25f)))));
@@ -135,9 +135,10 @@ TEST_CASE("3ds: missing pictures, missing coordinates, and --no-textures") {
     CHECK_THAT(made.notes[0], Contains("2 triangles with a texture and without texture coordinates"));
     made = read(folder, tds(map_of("p.png")), Textures::averaged);
     CHECK(glm::length(made.material().colour - glm::dvec3(0.5)) < 1e-6);
-    CHECK(made.notes == Notes{folder.name("a.3ds") +
-                              ": 1 material with a texture of its colour, drawn in the mean of the texture "
-                              "('m')"});
+    CHECK(made.notes ==
+          Notes{folder.name("a.3ds") +
+                ": 1 material with a texture of its colour, drawn in the texture's average colour "
+                "('m')"});
 }
 
 TEST_CASE("3ds: wrong coordinates are refused, if a picture needs them") {
@@ -186,7 +187,7 @@ TEST_CASE("obj, gltf, dae and 3ds show the corners of a picture at the same plac
         "usemtl a\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n";
     std::string bytes;
     for (const auto& [x, y] : square) bytes += raw(x) + raw(y) + raw(0.f);
-    for (const auto& [s, t] : square) bytes += raw(s) + raw(1 - t);   // t counts down in glTF
+    for (const auto& [s, t] : square) bytes += raw(s) + raw(1 - t);   // t increases downwards in glTF
     for (const int corner : {0, 1, 2, 0, 2, 3}) bytes += word(corner);
     const std::string gltf =
         R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":92,"uri":"data:;base64,)" + base64(bytes) +

@@ -142,7 +142,7 @@ using Texels = std::vector<std::array<std::uint8_t, 4>>;
 
 }   // namespace
 
-TEST_CASE("every format has the same colours as a picture and in its average") {
+TEST_CASE("a picture's texels and its average have the same colours in every format") {
     const auto near = [](const glm::vec4& a, const glm::vec4& b) { return glm::length(a - b) < 2e-3f; };
     const Texels codes{{255, 128, 0, 255}, {0, 0, 64, 255}};
     const auto light = [](int code) { return float(std::pow((code / 255.0 + 0.055) / 1.055, 2.4)); };
@@ -355,7 +355,7 @@ TEST_CASE("gltf: --no-textures draws the average colour with the old message") {
     CHECK(glm::length(made.material().colour - glm::dvec3(0.5, 0.5, 0.25)) < 1e-6);
     REQUIRE(made.notes.size() == 1);
     CHECK_THAT(made.notes[0],
-               Contains("1 material with a texture of its colour, drawn in the mean of the texture"));
+               Contains("1 material with a texture of its colour, drawn in the texture's average colour"));
 }
 
 TEST_CASE("gltf: instances share the coordinates of their mesh") {
@@ -392,7 +392,7 @@ TEST_CASE("json: a material's texture, in short and with all keys") {
     CHECK(glm::length(plain.material().colour - glm::dvec3(0.5, 0.25, 0.5)) < 1e-6);
 }
 
-TEST_CASE("json: spheres and planes show their pictures, and meshes without coordinates their average") {
+TEST_CASE("json: spheres and planes show their pictures, and meshes without coordinates the average colour") {
     Json document = inline_json();
     document["spheres"] = {{{"centre", {0, 0, 0}}, {"radius", 1}, {"material", "m"}}};
     document["planes"] = {{{"point", {0, 0, 0}}, {"u", {1, 0, 0}}, {"v", {0, 0, 1}}, {"material", "m"}}};
@@ -414,7 +414,7 @@ TEST_CASE("json: spheres and planes show their pictures, and meshes without coor
 
 namespace {
 
-/// A sphere and a plane of material "m", without meshes.
+/// A scene with a sphere and a plane of the material "m", without meshes.
 Json round_json(const Json& texture) {
     Json document;
     document["materials"]["m"] = {{"colour", {1, 1, 1}}, {"texture", texture}};
@@ -429,7 +429,7 @@ glm::dvec3 colour_at(const Scene& scene, const glm::dvec3& direction) {
 
 }   // namespace
 
-TEST_CASE("json: the middle of a sphere's picture lies on +z, its top on +y, and it runs to +x") {
+TEST_CASE("json: the middle of a sphere's picture lies on +z, its top on +y, and s increases towards +x") {
     // Four columns of longitude: black, red, green, blue.
     Json texture{{"pattern", "checker"}, {"size", {256, 128}}, {"columns", 4}, {"rows", 1}};
     texture["colours"] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -485,7 +485,7 @@ TEST_CASE("json: patterns are painted by their formulas") {
     CHECK(level.texels != picture(other).texels);
     CHECK(std::ranges::count(level.texels, white) >= 1);   // stretched to both ends
     CHECK(std::ranges::count(level.texels, black) >= 1);
-    // Without a seam: the first and last column differ no more than neighbours do.
+    // No seam: the first and the last column differ no more than neighbouring columns do.
     const auto step = [&](int x) {
         int most = 0;
         for (int y = 0; y < 32; ++y)

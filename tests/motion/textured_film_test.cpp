@@ -64,12 +64,13 @@ void check_film(const std::string& path, int levels, const std::string& uploads)
 
 }   // namespace
 
-TEST_CASE("four frames of a turning textured instance are right, and differ", "[motion][film][textures]") {
+TEST_CASE("four frames of a turning textured instance are correct, and differ", "[motion][film][textures]") {
     const TexturedCubes cubes;
     check_film(cubes.turning(), GENERATE(1, 2), "between");
 }
 
-TEST_CASE("four frames of a textured mesh that deforms are right, and differ", "[motion][deform][textures]") {
+TEST_CASE("four frames of a textured mesh that deforms are correct, and differ",
+          "[motion][deform][textures]") {
     const bool instance_paints = GENERATE(false, true);
     INFO("instance_paints " << instance_paints);
     const TexturedCubes cubes;
@@ -78,7 +79,7 @@ TEST_CASE("four frames of a textured mesh that deforms are right, and differ", "
     check_film(cubes.waving(instance_paints), levels, uploads);
 }
 
-// Else a cache could keep a line of the other buffer from before the host's writes.
+// Otherwise a cache could keep old lines of the other buffer after the host's writes.
 TEST_CASE("no line of a cache holds lines of two buffers", "[motion][deform][textures]") {
     constexpr int cache_line = 256, lines = cache_line / int(line_bytes);
     const TexturedCubes cubes;

@@ -22,8 +22,8 @@ Scene sheet() {
     return scene;
 }
 
-/// Without textures PSNR is 14 dB. One square that is turned, shifted or wrapped in another way is enough for
-/// less than 40 dB.
+/// Without textures the PSNR is 14 dB. One square that is turned, shifted or wrapped in another way lowers it
+/// below 40 dB.
 constexpr double least_psnr = 50;
 
 void check_same(const Picture& picture) {
@@ -43,7 +43,7 @@ TEST_CASE("reference and model draw the textures of a glTF file as another rende
     check_same(picture_from_colours(size, run_model(job).colours));
 }
 
-TEST_CASE("one texture with another wrap mode is a picture that differs") {
+TEST_CASE("another wrap mode of one texture makes the picture differ") {
     for (const std::size_t texture : {1, 2, 3}) {
         INFO(texture);
         Scene scene = sheet();

@@ -23,7 +23,7 @@ using Code = std::array<std::uint8_t, 4>;
 
 }   // namespace
 
-TEST_CASE("a block with two colours that the format has keeps them") {
+TEST_CASE("a block of two colours that the format can store keeps both") {
     const Code a{255, 0, 0, 255}, b{0, 255, 255, 255};
     const TexelLevel level = level_of(16, 8, [&](int x, int y) { return (x * 5 + y * 3) % 7 < 3 ? a : b; });
     CHECK(through_blocks(level).texels == level.texels);
@@ -31,7 +31,7 @@ TEST_CASE("a block with two colours that the format has keeps them") {
     for (const Code& code : through_blocks(one).texels) CHECK(code == Code{247, 251, 0, 255});
 }
 
-TEST_CASE("a block has four colours on one line, at thirds") {
+TEST_CASE("a block has four colours: two, and two at thirds between them") {
     // Steps of a third of 255 between black and white are exact, and no other grey is one of them.
     const auto grey = [](int code) {
         return Code{std::uint8_t(code), std::uint8_t(code), std::uint8_t(code), 255};

@@ -83,7 +83,7 @@ TEST_CASE("light passes through the holes of leaves that are instances",
     }
 }
 
-TEST_CASE("random leaves let light pass", "[textures][hole][foliage][slow]") {
+TEST_CASE("light passes through the holes of random leaves", "[textures][hole][foliage][slow]") {
     for (unsigned seed = 100; seed < 400; ++seed) {
         INFO("seed " << seed);
         Foliage foliage(seed);
@@ -96,8 +96,7 @@ TEST_CASE("random leaves let light pass", "[textures][hole][foliage][slow]") {
     }
 }
 
-TEST_CASE("a row of leaves hides the light after 63 holes, and before does not",
-          "[textures][hole][foliage]") {
+TEST_CASE("a row of leaves hides the light only after 63 holes", "[textures][hole][foliage]") {
     const Folder folder;
     folder.write("hole.png", SmallPng(1, 1, {{{255, 255, 255, 0}}}).bytes());
     const int leaves = GENERATE(1, 63, 64);
@@ -127,7 +126,7 @@ TEST_CASE("a row of leaves hides the light after 63 holes, and before does not",
     }
 }
 
-TEST_CASE("a hole between the light and a point hides nothing", "[textures][hole][reference]") {
+TEST_CASE("a hole between a light and a point does not hide the light", "[textures][hole][reference]") {
     // The square's upper half is a hole, its lower half is not.
     Scene scene;
     scene.vertices = {{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}};

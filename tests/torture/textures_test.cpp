@@ -15,7 +15,7 @@ namespace {
 class Reached final : public ShadeWatch {
 public:
     std::map<std::string, std::set<std::int64_t>> values;
-    std::size_t surfaces = 0, textured = 0;   ///< hits of triangles, and those with a texture
+    std::size_t surfaces = 0, textured = 0;   ///< hits of triangles, and hits of triangles with a texture
 
     explicit Reached(const Config& config) : config_(config) {}
     void use(const Frame& frame) { values["spread"].insert(frame.shade.spread); }
@@ -72,7 +72,7 @@ void walk(const std::string& chip, Reached& reached) {
 
 }   // namespace
 
-TEST_CASE("chips with and without textures are tortured, with both formats of texels", "[textures]") {
+TEST_CASE("the torture set has chips with and without textures, and both formats of texels", "[textures]") {
     std::set<int> formats, levels;
     bool plain = false;
     for (const std::string& chip : torture_chips()) {
@@ -86,7 +86,7 @@ TEST_CASE("chips with and without textures are tortured, with both formats of te
     CHECK(levels == std::set<int>{1, 2});
 }
 
-TEST_CASE("the tortured chips with textures reach the corners of textures and holes", "[textures]") {
+TEST_CASE("the torture set reaches the corners of textures and holes", "[textures]") {
     for (const std::string& chip : torture_chips()) {
         const Config config = torture_chip(chip);
         if (!config.has_textures()) continue;

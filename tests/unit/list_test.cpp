@@ -106,7 +106,7 @@ TEMPLATE_TEST_CASE("list tests nothing more for a light that is blocked, and not
                 REQUIRE(serve_rays<TestType>(format(name), seed, flow, 300).stopped() > 50);
 }
 
-TEMPLATE_TEST_CASE("a ray to a light passes as many cut-outs as have holes, and the next one ends it",
+TEMPLATE_TEST_CASE("a ray to a light ignores as many cut-outs as have holes, and ends at the next one",
                    "[list][shading][hole]", ListModel, ListRtl) {
     Config config = format("shading:default");
     config.textures = 1, config.name = "textures";

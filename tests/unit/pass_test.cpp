@@ -202,9 +202,9 @@ void check(const char* name, unsigned first_seed, int frames, int count) {
         REQUIRE(times(c.has_homes() ? ShadeEvent::transform : ShadeEvent::arrive, texture) > 30);
         REQUIRE(times(ShadeEvent::texture, again) > 50);
         REQUIRE(times(ShadeEvent::texture, spawn) > 20);
-        REQUIRE(times(ShadeEvent(8), texture) > 20);   // a cut-out asks for its texture
+        REQUIRE(times(ShadeEvent(8), texture) > 20);   // a cut-out requests its texture
         REQUIRE(times(ShadeEvent(8), again) > 10);     // or has none
-        REQUIRE(times(ShadeEvent(9), spawn) > 10);     // its light is asked again
+        REQUIRE(times(ShadeEvent(9), spawn) > 10);     // another ray to the same light
     }
 }
 
@@ -323,7 +323,8 @@ TEST_CASE("the rtl computes the exact length of a path in three cycles, one path
     CHECK(checked > 20000);
 }
 
-TEST_CASE("the path to a plane too far away for t is the way to its point", "[pass][textures]") {
+TEST_CASE("a path to a plane beyond the range of t has the length of the way to its point",
+          "[pass][textures]") {
     const Config c = shaded_format(GENERATE("textured:all", "textured:narrow", "textured:short"));
     Draw draw{31};
     int long_ones = 0;
@@ -361,8 +362,8 @@ TEST_CASE("a sphere's request has the place of its outward normal in the octahed
         for (std::size_t k = 0; k < 3; ++k) n[k] = s.inside ? -s.normal[k] : s.normal[k];
         const std::int64_t sum = std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]) + 1,
                            half = std::int64_t(1) << (c.bary_bits - 1);
-        // From the middle, in exact fractions rounded down: x and z of the octahedron, or what the other one
-        // leaves to 1 in the lower half.
+        // The distance from the middle, in exact fractions rounded down: x and z on the octahedron. In the
+        // lower half it is 1 minus the other one.
         const std::int64_t x = half * std::abs(n[0]) / sum, z = half * std::abs(n[2]) / sum;
         const std::int64_t across = n[1] < 0 ? half - z : x, down = n[1] < 0 ? half - x : z;
         REQUIRE(std::int64_t(u) == half + (n[0] < 0 ? -across : across));
@@ -484,7 +485,7 @@ TEST_CASE("a ray continues through a hole with the same direction and weight", "
     CHECK((first > 3000 && later > 3000));
 }
 
-TEST_CASE("a shadow ray that meets a cut-out asks for its texture and nothing else", "[pass][hole]") {
+TEST_CASE("after a cut-out in the way to a light, a pass only requests the texture", "[pass][hole]") {
     const Config c = shaded_format(GENERATE("textured:plain", "textured:all", "textured:levels:all"));
     Draw draw{41};
     int asked = 0, plain = 0;
@@ -509,7 +510,7 @@ TEST_CASE("a shadow ray that meets a cut-out asks for its texture and nothing el
     CHECK((asked > 300 && plain > 300));
 }
 
-TEST_CASE("where a cut-out has a hole its light is asked again, and else the light is hidden",
+TEST_CASE("a pass tests a light again behind a hole, and a cut-out without a hole hides the light",
           "[pass][hole]") {
     const Config c = shaded_format(GENERATE("textured:plain", "textured:all", "textured:levels:all"));
     Draw draw{43};
@@ -520,7 +521,7 @@ TEST_CASE("where a cut-out has a hole its light is asked again, and else the lig
         if (in.state.pending != std::uint32_t(Pending::texture)) continue;
         const PassOut out = pass(in, frame, c);
         if (in.hole && in.state.light_holes < 63) {
-            // As the pass of that light, but for the count.
+            // The same as the pass of that light, except for the count.
             PassIn first = in;
             first.state.pending = 0, first.state.light_holes = 0, first.state.light -= 1;
             first.state.next_event = std::uint32_t(ShadeEvent::light);
@@ -535,7 +536,7 @@ TEST_CASE("where a cut-out has a hole its light is asked again, and else the lig
             REQUIRE(pack(out.spawn, c) == pack(wanted.spawn, c));
         } else {
             ++hidden, last += in.hole;
-            PassIn next = in;   // as after a light that was blocked
+            PassIn next = in;   // the same as after a blocked light
             next.state.pending = 0, next.state.light_holes = 0;
             const PassOut wanted = pass(next, frame, c);
             REQUIRE(out.state == wanted.state);

@@ -18,8 +18,8 @@ struct LevelsImage {
     /// By class: most lines of each tree of a mesh that deforms, with one tree per buffer. 0 for other
     /// meshes.
     std::vector<std::uint32_t> rooms;
-    /// A copy of a class's surfaces and texture records, if the chip shades. A mesh that deforms has a copy
-    /// per buffer, other meshes have one.
+    /// One copy of a class's surfaces and texture records, if the chip shades. A mesh that deforms has a copy
+    /// for each buffer. Other meshes have one copy.
     struct Surfaces {
         std::uint32_t first = 0;              ///< line of the first surface
         std::vector<std::uint32_t> records;   ///< the result of write_records()

@@ -188,8 +188,8 @@ void MovingLevels::follow(const PlacedScene& scene, double rebuild, std::size_t 
     }
 }
 
-/// Writes the tree, surfaces and texture records of a mesh into a buffer, and points the class's instances to
-/// them. `own`: the scene, for its materials and textures.
+/// Writes the tree, surfaces and texture records of a mesh into a buffer. Makes the class's instances refer
+/// to them. `own`: the scene with the materials and textures.
 void MovingLevels::draw(Follower& follower, const SharedMesh& mesh, const Scene& own, std::size_t buffer) {
     const std::uint32_t c = follower.mesh_class, room = levels_.rooms[c],
                         root = levels_.roots[c] + std::uint32_t(buffer) * room;

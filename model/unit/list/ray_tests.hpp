@@ -22,7 +22,7 @@ public:
             return;
         }
         best_ = {1, tri.num, tri.det, tri.prim};
-        // Zeros if any hit ends the ray and this is no cut-out.
+        // tri's fields are 0 for an opaque primitive in the way to a light.
         found_ = {ray_, 1, tri.prim, tri.t, tri.u, tri.v, tri.back, instance_line, tri.cutout};
         reach_ = tri.t;
     }
@@ -33,7 +33,7 @@ public:
 
 private:
     std::uint32_t ray_ = 0, reach_ = 0;
-    std::uint32_t holes_ = 0;   // cut-outs that the ray will still ignore
+    std::uint32_t holes_ = 0;   // number of cut-outs that the ray still ignores
     bool any_ = false;          // any hit ends the ray
     Best best_;
     Closest found_;

@@ -232,8 +232,8 @@ void show_texture(const PassIn& in, const Frame& frame, const Config& c, PassOut
     if (c.has_homes()) out.spawn.home = home_of(s, in.d, in.placement, c);
 }
 
-/// Handles a shadow ray that has met a cut-out: requests the cut-out's texture at level 0. With two levels
-/// the instance's own material may have no texture; then the cut-out has no holes.
+/// Handles a shadow ray that has met a cut-out: requests the cut-out's texture at level 0. With two levels an
+/// instance's own material replaces the mesh's. It has no texture, so the cut-out has no holes.
 void request_cutout(const PassIn& in, PassOut& out) {
     const std::uint32_t record = in.surface.record;
     if (record == 0) return;

@@ -4,8 +4,8 @@
 
 namespace rayclock {
 
-/// True if the cut-out that a shadow ray has met has a hole there. The pass sends the ray again, and that ray
-/// ignores one cut-out more. So the pass repeats the event light.
+/// True if a shadow ray has met a hole, and its light has passed fewer than most_holes before. The pass then
+/// repeats the event `light`: it sends the ray again, and this ray ignores one more cut-out.
 bool passes_hole(const PassIn& in);
 /// Returns the event that a pass handles, unless meets_cutout().
 ShadeEvent event_of(const PassIn& in);

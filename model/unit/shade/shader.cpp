@@ -61,7 +61,7 @@ int Shader::run() {
     do {
         const ShadeEvent event = event_of(in_);
         const bool was_cutout = meets_cutout(in_), was_hole = passes_hole(in_),
-                   asks_texture = Pending(in_.state.pending) == Pending::texture;
+                   has_texel = Pending(in_.state.pending) == Pending::texture;
         if (event == ShadeEvent::pop && in_.state.waiting > 0) in_.top = stack_.back();
         out_ = pass(in_, *frame_, *config_);
         if (event == ShadeEvent::pop && out_.leave == PassOut::Leave::spawn && !stack_.empty())
@@ -73,8 +73,8 @@ int Shader::run() {
         if (event == ShadeEvent::light && out_.leave == PassOut::Leave::again &&
             Pending(out_.state.pending) == Pending::sure)
             signature_.asked(false);   // nothing can block the light, so no ray is sent
-        if ((asks_texture && !was_hole) || (was_cutout && out_.leave == PassOut::Leave::again))
-            signature_.asked(true);   // the cut-out has no hole there
+        if ((has_texel && !was_hole) || (was_cutout && out_.leave == PassOut::Leave::again))
+            signature_.asked(true);   // the cut-out hides the light
         if (watch_) watch_->passed(in_, out_);
         in_.state = out_.state;
         count(event);

@@ -49,7 +49,7 @@ public:
         if (watch_) watch_->answered(hit);
         if (is_arrival())
             signature_.met(hit.found ? hit.prim : no_primitive);
-        else if (!meets_cutout(in_))   // otherwise its texture decides
+        else if (!meets_cutout(in_))   // the texture of a cut-out decides later
             signature_.asked(hit.found != 0);
         if (wants_surface()) {
             in_.surface = surface_at(surface_line());
@@ -58,8 +58,8 @@ public:
         lines_ = !config_->has_homes() ? 0 : material_line() != 0 ? 2 : 1;
         counts_.primary_hits += is_arrival() && hit.found && in_.state.depth == 0 && in_.state.holes == 0;
     }
-    /// True if a surface must arrive before the next pass: that of a hit, or of a cut-out in the way to a
-    /// light. surface_line() is its line.
+    /// True if a surface must arrive before the next pass: the surface that was hit, or a cut-out in the way
+    /// to a light. surface_line() is its line.
     bool wants_surface() const { return (is_arrival() && in_.hit.found != 0) || meets_cutout(in_); }
     std::uint32_t surface_line() const {
         if (config_->has_homes())
@@ -89,7 +89,7 @@ public:
         TexRecord record;
         TexelPlace place;
         TexRsp answer;
-        bool is_cutout = false;   ///< of a cut-out in the way to a light
+        bool is_cutout = false;   ///< the surface is a cut-out in the way to a light
     };
     /// Returns the texture that the last run() read; null if it read none.
     const Texture* texture() const { return texture_ ? &*texture_ : nullptr; }
@@ -112,7 +112,7 @@ private:
     ShadeWatch* watch_ = nullptr;
     ShadeEvent last_ = ShadeEvent::arrive;   ///< event of the last pass
     PassIn in_;
-    Placement instance_;   ///< with two levels: that of the last answer
+    Placement instance_;   ///< with two levels: the instance in the last answer
     PassOut out_;
     std::vector<Waiting> stack_;
     std::optional<Texture> texture_;

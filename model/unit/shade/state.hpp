@@ -20,7 +20,7 @@ enum class Pending : std::uint32_t {
     none,
     answer,   ///< if the shadow ray met nothing
     sure,
-    texture   ///< never: the shadow ray has met a cut-out, whose texture decides
+    texture   ///< not at all: the texture of a cut-out decides whether the shadow ray is sent again
 };
 
 /// The state of a context. Fractions have unit_bits bits unless stated otherwise.
@@ -58,7 +58,7 @@ struct ShadeState {
     // The light.
     std::uint32_t light = 0;
     std::array<std::uint32_t, 3> share{};   ///< its contribution if it is not blocked
-    /// With textures: number of holes that the light passes on its way; at most most_holes.
+    /// With textures: number of holes that the light has passed on its way, at most most_holes.
     std::uint32_t light_holes = 0;
     std::uint32_t total = 0;   ///< the refracted ray was totally reflected
     friend bool operator==(const ShadeState&, const ShadeState&) = default;
@@ -154,10 +154,10 @@ ShadeState fresh_state(std::uint32_t x, std::uint32_t y);
 struct PassIn {
     std::uint32_t ray = 0;
     ShadeState state;
-    Closest hit;                            ///< the last ray's answer
-    Vec3i o{}, d{};                         ///< of the last camera ray or bounce
-    Surface surface;                        ///< of an arrive event with a hit, or of a cut-out
-    Waiting top;                            ///< of a pop event: the stack's top
+    Closest hit;       ///< the last ray's answer
+    Vec3i o{}, d{};    ///< of the last camera ray or bounce
+    Surface surface;   ///< of an arrive event with a hit; if meets_cutout(): of the cut-out
+    Waiting top;       ///< of a pop event: the stack's top
     std::array<std::uint32_t, 3> texel{};   ///< of a texture event: TexRsp::colour
     std::uint32_t hole = 0;                 ///< of a texture event: as in TexRsp
     /// With two levels: the instance that was hit last. Only `here`, a and b are used.

@@ -57,9 +57,9 @@ struct TexelPlace {
         v("cutoff", cutoff, 8);
     }
 };
-/// Returns the level of a hit, 0 to TexRecord::last_level: 0 for a path of 0, otherwise log2 of the number of
-/// texels across a sample, rounded to nearest. The sample's width is spread * path / sqrt(cosine). This is a
-/// ray cone (Akenine-Moeller et al. 2021) whose width grows only with the length of the path.
+/// Returns the level of a hit, 0 to TexRecord::last_level. It is 0 for a path of 0, otherwise log2 of the
+/// number of texels across a sample, rounded to nearest. The sample's width is spread * path / sqrt(cosine).
+/// This is a ray cone (Akenine-Moeller et al. 2021) whose width grows only with the length of the path.
 std::uint32_t level_of(const TexReq& hit, const TexRecord& record, std::int32_t spread);
 /// Returns the place of a hit. The corners' coordinates are interpolated by u and v and rounded down once, to
 /// coordinate_frac bits. Where a plane's u or v is saturated, the level is the last one. Mirror of

@@ -110,7 +110,7 @@ module rc_tri (
   logic                            in_any;      // any hit will do: a ray from or to a light
   logic                            in_leaves;   // from a surface: a bounce, or away to a light
   logic                            in_plane, in_sphere;
-  logic                            in_cutout;   // a cut-out, for such a ray: its texture decides
+  logic                            in_cutout;   // a cut-out, which a ray to a light has met
   // The ray begins beyond the lattice, and tests planes only.
   logic                            in_far;
   logic                            in_skips;    // the ray does not test such a primitive

@@ -5,8 +5,8 @@
 //
 // A ray from or to a light (kinds shadow and away) ends with the first primitive in its way. No
 // other is tested, and trav gets a stop. A shadow ray also ends at t = 2^-B: its distance to beat
-// is 2^(N+F). With textures a ray to or from a light passes a number of cut-outs that it meets
-// (start_i.holes), as if it did not meet them. The next one ends it.
+// is 2^(N+F). With textures a ray to or from a light ignores the first start_i.holes cut-outs that
+// it meets. The next one ends it.
 //
 // Leaves and an answer of tri are accepted in every cycle. trav sends leaves only if the nearest is
 // not beyond the distance to beat, so the first triangle of the nearest leaf is always tested. An
@@ -104,7 +104,7 @@ module rc_list (
   localparam int unsigned BestW    = rc_pkg::BestW;
   localparam int unsigned KeptHitW = rc_pkg::KeptHitW;
 
-  logic                s1_fires, s1_hits, s1_closer;   // hits: tri's closer
+  logic                s1_fires, s1_hits, s1_closer;   // s1_hits: closer of tri's answer
   logic [RayBits-1:0]  s1_ray;
   logic [TBits-1:0]    s1_rsp_t;
   rc_pkg::best_t       s0_best;
@@ -159,7 +159,7 @@ module rc_list (
     assign ends_at_any = 1'b0;
   end
 
-  // ---- Cut-outs with holes. A ray passes the first ones. The count is 0 until it has passed one.
+  // ---- Cut-outs with holes. A ray ignores the first ones. `passed` counts them; it is 0 at first.
   rc_pkg::kept_hit_t s1_kept;
 
   assign s1_kept = s1_hit;

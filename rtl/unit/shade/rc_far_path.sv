@@ -1,6 +1,7 @@
-// The length of the path from the eye to a plane's hit that is too far away for t: path + |o - r|,
-// rounded down and saturated. o is the hit's point and r the ray's origin. A vector's length counts
-// as its largest component plus 3/8 of the second and 5/16 of the smallest, as in rc_path_length.
+// The length of the path from the eye to a hit on a plane that is too far away for t:
+// path + |o - r|, rounded down and saturated. o is the hit's point and r the ray's origin. The
+// length of a vector is approximated as in rc_path_length: its largest component plus 3/8 of the
+// second and 5/16 of the smallest.
 //
 // Part of rc_pass, which has the valid bits; the result is in the registers of s8. Exists only in a
 // chip with textures and planes. Model: path_to() in model/unit/shade/surf.hpp.
@@ -33,7 +34,7 @@ module rc_far_path #(
     .clk_i, .rst_ni, .enter_i(valid_i[0]), .leave_i(valid_i[7]), .data_i(s0_path_i),
     .data_o(s7_path));
 
-  // s6: sizes of the way's components.
+  // s6: absolute values of the components of o - r.
   logic [3*SizeW-1:0] s6_size_q;
 
   for (genvar k = 0; k < 3; k++) begin : gen_axis

@@ -4,9 +4,9 @@
 //   p = floor(h |n_x| / L), q = floor(h |n_z| / L); if n_y < 0, p and q become h - q and h - p
 //   u = h + p, or h - p if n_x < 0; v = h + q, or h - q if n_z < 0
 //
-// L exceeds the sum by 1, so both quotients are below h. Part of rc_pass, which has the valid bits.
-// Two dividers work beside the pass: from s14 on, and the place is ready when work leaves stage
-// ReadyAt. Exists only in a chip with textures and spheres. Model: octahedral() in
+// The 1 in L keeps both quotients below h. Part of rc_pass, which has the valid bits. From s14 on,
+// two dividers run in parallel with the pass. The place is in the output registers Steps + 1 cycles
+// after s14 begins. Exists only in a chip with textures and spheres. Model: octahedral() in
 // model/unit/shade/surf.hpp.
 `default_nettype none
 module rc_octahedral #(
@@ -24,7 +24,7 @@ module rc_octahedral #(
   output logic [UvBits-1:0]     u_o,
   output logic [UvBits-1:0]     v_o
 );
-  localparam int unsigned Width = AxisBits + 1;            // of a sum of three sizes and 1
+  localparam int unsigned Width = AxisBits + 1;            // of three absolute values and 1
   localparam int unsigned Steps = rc_pkg::OctahedralSteps;  // two bits of a quotient in each
   localparam int unsigned QuoW  = 2 * Steps;
   localparam int unsigned PartW = BaryBits;                // 0 to h
@@ -33,7 +33,7 @@ module rc_octahedral #(
     $error("rc_octahedral: too few steps");
   end
 
-  // s14: sizes, signs and the divisor.
+  // s14: absolute values, signs and the divisor.
   logic [3*Width-1:0] s13_size;
   logic [2:0]         s13_below, s14_below_q, below;   // the component is negative
   logic [Width-1:0]   s14_x_q, s14_z_q, s14_sum_q;

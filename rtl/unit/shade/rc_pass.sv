@@ -75,7 +75,7 @@ module rc_pass #(
   // ---- Input: held if a pass stays for more than one cycle.
   logic                       valid;
   logic [RayBits-1:0]         ray;
-  rc_pkg::shade_state_t given, state;   // from rc_contexts; for the event that the pass handles
+  rc_pkg::shade_state_t given, state;   // given: from rc_contexts. state: for the event of the pass
   rc_pkg::shade_hit_t         hit;
   logic [3*OriginWidth-1:0]   o;
   logic [3*M-1:0]             d;
@@ -115,9 +115,9 @@ module rc_pass #(
       .clk_i, .enable_i(valid), .data_i(top_i), .data_o(top_came));
   end
 
-  // ---- s0: with textures, a shadow ray may have met a cut-out. Then the pass requests its texture
-  // and handles no event. If the texture has a hole there, the next pass handles the light again.
-  // Its ray passes one cut-out more. After 63 holes the next one counts as opaque.
+  // ---- s0: with textures, a shadow ray may have met a cut-out. Then the pass requests the texture
+  // and handles no event. If the texture has a hole there, the next pass handles the same light
+  // again, with a ray that ignores one more cut-out. After 63 holes the next one counts as opaque.
   logic met_cutout;
 
   if (rc_pkg::HasTextures == 1) begin : gen_cutout
@@ -251,7 +251,8 @@ module rc_pass #(
   logic [3*AxisBits-1:0]   s13_normal, s13_view;
   logic [3*NormalBits-1:0] side_n;
 
-  // With two levels, spheres send their normal to tex in the pass *transform*, unchanged.
+  // With two levels the pass *transform* finds a sphere's place in its picture. So the normal goes
+  // through this pass too; it does not change.
   localparam bit Round = rc_pkg::HasTextures == 1 && rc_pkg::Spheres == 1;
 
   rc_stage_delay #(.Width(6 * AxisBits), .Stages(13)) u_vectors (
@@ -403,7 +404,7 @@ module rc_pass #(
 
   // ---- With textures on spheres: the place of the normal in the picture.
   localparam int unsigned Steps = rc_pkg::OctahedralSteps;
-  // The last stage that begins before the place is ready; see rc_octahedral.
+  // The first stage at whose end the place is in rc_octahedral's output registers.
   localparam int unsigned Ready = 13 + (Steps + 1 + Every) / Every;
 
   if (Round && Ready >= Out) begin : gen_refuse

@@ -41,8 +41,8 @@ module rc_pass_end #(
   input  logic [3*rc_pkg::ColourBits-1:0] surf_albedo_i,
   input  logic [3*ValueBits-1:0]   surf_ambient_i,
   input  logic [3*ValueBits-1:0]   background_i,
-  // With textures, from rc_path_length or rc_far_path: the path's length; the hit's u and v; those
-  // of a sphere, from rc_octahedral
+  // With textures: the path's length, from rc_path_length or rc_far_path; the hit's u and v; for a
+  // sphere the u and v from rc_octahedral
   input  logic [rc_pkg::PathBits-1:0] path_i,
   input  logic [rc_pkg::UvBits-1:0] u_i,
   input  logic [rc_pkg::UvBits-1:0] v_i,
@@ -304,7 +304,7 @@ module rc_pass_end #(
 
   // A textured surface goes to tex; with two levels, after the pass *transform*.
   rc_pkg::tex_req_t           request;
-  logic                       asks_texture;   // the texture of a hit, or of a cut-out
+  logic                       asks_texture;   // for a surface or a cut-out in the way to a light
   logic                       asks_cutout;
   logic [rc_pkg::TexReqW-1:0] tex_req;
 

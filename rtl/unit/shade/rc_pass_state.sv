@@ -97,7 +97,7 @@ module rc_pass_state #(
     assign with_texture = kept;
   end
 
-  // With textures on spheres: whether the surface is one.
+  // With textures and spheres: whether the surface is a sphere.
   if (rc_pkg::HasTextures == 1 && rc_pkg::Spheres == 1) begin : gen_round
     logic is_round;
 

@@ -99,7 +99,7 @@ module rc_shade (
     .clk_i, .data_i({way_ray, way_prim, way_asks}),
     .data_o({closest_ray, closest_prim, wants_surface}));
 
-  // Of a cut-out in the way to a light the texture decides, so its surface comes as well.
+  // A cut-out in the way to a light needs its texture, so its surface is fetched too.
   if (rc_pkg::HasTextures == 1) begin : gen_cutout
     logic way_cutout;
 
@@ -142,9 +142,9 @@ module rc_shade (
   // After these and fine.
   localparam int unsigned RecordAt  = rc_pkg::SurfaceW - 8 - AddrBits;
 
-  // placing: the line that comes is an instance or its material. placed: an instance is accepted.
-  // keeps: that instance is a hit's, and not that of a cut-out in the way to a light. taken: an
-  // instance or its material is accepted. came: a surface has come.
+  // placing: the line that comes is an instance or its material. keeps: an instance is accepted for
+  // a hit, not for a cut-out in the way to a light. taken: an instance or its material is accepted.
+  // came: a surface has come.
   logic              placing, keeps, taken, came;
   logic [rc_pkg::SurfRspW-1:0] surf_rsp;
   logic [rc_pkg::SurfaceW-1:0] surface_found;
@@ -182,7 +182,7 @@ module rc_shade (
     assign unused = ^{surface_came, instance_came, taken, closest_place};
   end else begin : gen_fetch_twice
     logic [Contexts-1:0]             placing_q, lends_q;   // waits for an instance, for a material
-    logic                            placed;
+    logic                            placed;   // an instance is accepted
     logic [AddrBits-1:0]             prim, surface_line, kept_line;
     logic [Contexts-1:0]             lent_q;   // the context's last instance has a material
     logic                            lends;

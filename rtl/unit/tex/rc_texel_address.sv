@@ -37,7 +37,7 @@ module rc_texel_address #(
   localparam int unsigned LevelFrac = rc_pkg::LevelFrac;
   localparam int unsigned DiffW     = CoordBits + 1;
   localparam int unsigned ProductW  = DiffW + UvBits + 1;
-  // A plane's u and v are signed, with PlaneBits more whole bits.
+  // In a chip with planes u and v are signed and have PlaneBits more whole bits.
   localparam bit          Planes    = rc_pkg::Planes == 1;
   localparam int unsigned SumW      = CoordBits + 3 + (Planes ? rc_pkg::PlaneBits : 0);
   localparam int unsigned TexelW    = Frac;             // a coordinate in texels: 12.8 bits
@@ -134,7 +134,7 @@ module rc_texel_address #(
   rc_log #(.Width(ValueBits)) u_log_cosine (.x_i(s0_cosine), .log_o(s0_log_cosine));
 
   assign s0_density = s0.density;
-  assign s0_last    = s0_path == '0 ? '0 : s0.last_level;   // a path of 0 asks for level 0
+  assign s0_last    = s0_path == '0 ? '0 : s0.last_level;   // a path of 0 selects level 0
 
   rc_pkg::shade_frame_t      shade_frame;   // lowest in the frame
   logic [rc_pkg::FrameW-1:0] frame_flat;

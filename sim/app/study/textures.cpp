@@ -1,4 +1,4 @@
-// rayclock study textures: makes docs/measured/textures.md with its pictures.
+// rayclock study textures: writes docs/measured/textures.md and its pictures.
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -27,8 +27,9 @@ struct TexturesOptions {
 
 void declare_textures(Parser& parser, TexturesOptions& o) {
     config_options(parser, o.config);
-    parser.option("-o,--output", o.output, "folder for textures.md and its folder of pictures").required();
-    parser.option("--scenes", o.scenes, "scenes with textures, separated by commas")
+    parser.option("-o,--output", o.output, "folder for textures.md and the folder of its pictures")
+        .required();
+    parser.option("--scenes", o.scenes, "scenes with textures on triangles, separated by commas")
         .by_commas()
         .with_default();
     parser.option("--size", o.size, "size of the pictures, WIDTHxHEIGHT").with_default();
@@ -43,9 +44,9 @@ std::string command_of(const TexturesOptions& o) {
     if (o.config.name != usual.config.name) text += " --config " + page_path(o.config.name);
     for (const std::string& item : o.config.set) text += " --set " + item;
     if (o.scenes != usual.scenes) {
-        std::vector<std::string> told;
-        for (const std::string& scene : o.scenes) told.push_back(page_path(scene));
-        text += fmt::format(" --scenes {}", fmt::join(told, ","));
+        std::vector<std::string> names;
+        for (const std::string& scene : o.scenes) names.push_back(page_path(scene));
+        text += fmt::format(" --scenes {}", fmt::join(names, ","));
     }
     if (o.size != usual.size) text += " --size " + o.size;
     if (o.depth != usual.depth) text += fmt::format(" --depth {}", o.depth);

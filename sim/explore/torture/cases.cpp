@@ -425,7 +425,7 @@ private:
         end(std::move(t));
     }
 
-    /// Textures of all sizes, levels and filters. The image fills the memory, since the large ones begin at
+    /// Textures of all sizes, levels and filters. The image fills the memory, because large textures begin at
     /// any address.
     void add_textures() {
         for (int i = 1; i <= 6; ++i) {
@@ -442,8 +442,8 @@ private:
         }
     }
 
-    /// More holes behind each other than a ray may pass. The light lies some panes behind the eye, so a
-    /// surface behind the most holes is even farther from the light.
+    /// More holes in a row than a ray may pass. The light lies some panes behind the eye. So there are even
+    /// more holes between the light and the last surface that the eye sees.
     void add_holes() {
         const std::vector<PrimData> prims = panes(config_, most_holes + 6);
         TortureCase t = begin("holes", image_of(prims, config_, dice_, "holes", SurfaceStyle::holes));
@@ -454,8 +454,8 @@ private:
         end(std::move(t), 0);
     }
 
-    /// Two mirrors at opposite sides of the lattice. After their bounces between them, rays have longer paths
-    /// than t can hold.
+    /// Two mirrors at opposite sides of the lattice. Paths that bounce between them become longer than the
+    /// largest t.
     void add_long_paths() {
         const std::int32_t most = most_of(config_.coord_bits);
         std::vector<PrimData> prims = mesh(most / 2, 3);

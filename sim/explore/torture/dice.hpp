@@ -31,13 +31,13 @@ public:
         if (rng_.below(3) == 0) return corners[rng_.below(7)];
         return between(-most, most);
     }
-    /// Returns a number of so many bits, signed. A third of the draws are near an end, 0 or +-1.
+    /// Returns a signed number of `bits` bits. A third of the draws are near an end, or are 0 or +-1.
     std::int32_t signed_number(int bits) {
         const std::int32_t most = (1 << (bits - 1)) - 1;
         return percent(5) ? -most - 1 : number(most);
     }
     std::uint32_t bits() { return std::uint32_t(rng_.next() >> 32); }
-    /// Returns dice with other numbers. These dice do not change.
+    /// Returns dice that draw other numbers. These dice do not change.
     Dice branch() const {
         Rng seed = rng_;
         return Dice(~seed.next());

@@ -163,7 +163,7 @@ ShadeFrame settings(const MemoryImage& image, const Config& config, int samples,
     s.lights = std::uint32_t(dice.between(1, config.lights));
     if (config.has_textures()) {
         Dice own = dice.branch();
-        // Within an octave, or within eight, or any.
+        // Within one octave of 0, within eight octaves of 0, or any number.
         const std::int32_t octaves[] = {1, 8}, kind = own.below(3);
         const std::int32_t most = kind < 2 ? octaves[kind] << level_frac : 0;
         s.spread = kind < 2 ? own.between(-most, most) : own.signed_number(level_bits);

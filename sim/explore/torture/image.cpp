@@ -222,7 +222,7 @@ std::vector<PrimData> panes(const Config& config, int count) {
 
 namespace {
 
-/// Returns the primitives with their numbers, some of them as cut-outs.
+/// Returns the primitives with their numbers. Some triangles become cut-outs.
 std::vector<PrimData> numbered_of(const std::vector<PrimData>& prims, Textures& textures) {
     std::vector<PrimData> numbered = prims;
     for (std::size_t i = 0; i < numbered.size(); ++i) numbered[i].prim = std::uint32_t(i);
@@ -230,7 +230,7 @@ std::vector<PrimData> numbered_of(const std::vector<PrimData>& prims, Textures& 
     return numbered;
 }
 
-/// Writes textures and surfaces to the end of the image, if the chip shades.
+/// Appends textures and surfaces to the image, if the chip shades.
 void append_surfaces(const std::vector<PrimData>& prims, Textures& textures, const Config& config, Dice& dice,
                      SurfaceStyle style, MemoryImage& image) {
     if (!config.has_shade()) return;

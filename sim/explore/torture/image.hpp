@@ -40,13 +40,14 @@ std::vector<PrimData> mesh(std::int32_t step, int side);
 std::vector<PrimData> panes(const Config& config, int count);
 
 /// Surfaces of a chip that shades: any; half mirror and half glass; colours that are 0 or 1 without any
-/// light; highlights of any sharpness without reflection. In a chip with textures 44 % of the triangles have
-/// one, unless they are `bright`. Two more styles: most triangles have a texture, some of them larger than
-/// the memory; all triangles are cut-outs, and nearly all of their texels are holes.
+/// light; highlights of any sharpness without reflection; most triangles with a texture, sometimes larger
+/// than the memory; all triangles as cut-outs, with nearly all texels transparent. In a chip with textures,
+/// 44 % of the triangles have a texture in the styles `any`, `clear` and `shiny`, and none in the style
+/// `bright`.
 enum class SurfaceStyle { any, clear, bright, shiny, textured, holes };
 /// Draws a surface without a texture.
 Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, SurfaceStyle style);
-/// Writes a surface to the end of an image.
+/// Appends a surface to the words of an image.
 void append_line(const Surface& surface, const Config& config, std::vector<std::uint32_t>& words);
 
 /// Returns the whole memory image. With two levels placed_image() makes it.

@@ -183,7 +183,7 @@ private:
     }
 
     void leave_room() {
-        // An upper bound of all that follow.
+        // An upper bound of the lines that follow.
         std::size_t lines = config_.shading ? standings_.size() + textures_.lines() : 0;
         for (std::size_t m = 0; m < meshes_.size(); ++m)
             lines += lowers_[m].lines() + (config_.shading ? meshes_[m].size() : 0);
@@ -215,7 +215,7 @@ private:
     }
     void append_surface(const PrimData& prim) {
         Surface surface = random_surface(prim, config_, dice_, style_);
-        surface.record = textures_.record_for(prim);   // the hardware ignores that of an instance's material
+        surface.record = textures_.record_for(prim);   // ignored in an instance's material
         append_line(surface, config_, image_.words);
     }
 

@@ -12,7 +12,7 @@ constexpr int records = 12;       ///< of an image
 constexpr int texel_lines = 32;   ///< of an image; 16 x 8 texels of 32 bits take 26 lines with all levels
 constexpr int longest_log = 6;    ///< logarithm of the longest side that may fit in these lines
 
-/// Cut-offs of most records. The alpha of most texels is one of these, or one more or less.
+/// Cut-offs of most records. The alpha of most texels differs from one of these by at most 1.
 constexpr std::array<std::uint32_t, 4> cutoffs{0, 1, 128, 255};
 
 }   // namespace
@@ -47,7 +47,7 @@ void Textures::append(std::vector<std::uint32_t>& words) {
 std::uint32_t Textures::record_for(const PrimData& prim) {
     if (!config_.has_textures() || !prim.is_triangle() || style_ == SurfaceStyle::bright) return 0;
     const bool is_cutout = PrimKind(prim.kind) == PrimKind::cutout;
-    // The hardware may also meet a cut-out without a texture: an instance's material has none.
+    // A cut-out may also have no texture: an instance's material has none.
     const int share = style_ == SurfaceStyle::holes      ? 100
                       : is_cutout                        ? 90
                       : style_ == SurfaceStyle::textured ? 75
@@ -56,7 +56,7 @@ std::uint32_t Textures::record_for(const PrimData& prim) {
     return first_record_ + std::uint32_t(dice_.below(records));
 }
 
-/// Draws a texture coordinate: any, one near the picture, or one at a border of texels or pictures.
+/// Draws a texture coordinate: any, one near the picture, or one near a border of texels or pictures.
 std::int32_t Textures::coordinate() {
     switch (dice_.below(3)) {
         case 0: return dice_.signed_number(coordinate_bits);
@@ -74,7 +74,7 @@ std::array<std::int32_t, 3> Textures::corners() {
     return all;
 }
 
-/// Draws a density: any, or one with which a path of half the lattice has a random level.
+/// Draws a density: any, or one that gives paths of half the lattice's size a random level.
 std::int32_t Textures::density(std::uint32_t last_level) {
     if (dice_.percent(30)) return dice_.signed_number(level_bits);
     const int octaves =
@@ -82,8 +82,8 @@ std::int32_t Textures::density(std::uint32_t last_level) {
     return (octaves << level_frac) + dice_.between(-(1 << (level_frac - 1)), 1 << (level_frac - 1));
 }
 
-/// Draws a record whose texels lie in the image. Some `textured` surfaces have larger textures at any
-/// address. Then any line of memory holds texels.
+/// Draws a record. Its texels usually lie in the lines of texels. In the style `textured` some textures are
+/// larger and begin at any address, so that any line of memory serves as texels.
 TexRecord Textures::record(std::uint32_t first_texels, std::uint32_t number) {
     TexRecord r;
     r.s = corners(), r.t = corners();
@@ -109,13 +109,13 @@ TexRecord Textures::record(std::uint32_t first_texels, std::uint32_t number) {
     return r;
 }
 
-/// Draws a line of texels. In the style `holes` all but a few are holes.
+/// Draws a line of texels. In the style `holes` nearly all of them are transparent.
 Line Textures::texels() {
     Line line;
     for (auto& word : line) word = dice_.bits();   // some bits belong to no texel
     const TileShape tile = tile_shape(config_.texels);
     const std::uint32_t cutoff = cutoffs[std::size_t(dice_.below(4))];
-    // Alpha is random, or one value near the cut-off, or a value near the cut-off for each texel.
+    // Alpha is random, or near the cut-off: one value for the line, or one for each texel.
     const int how = dice_.below(3), all = dice_.between(-1, 1);
     for (int i = 0; i < tile.texels(); ++i) {
         const std::uint32_t colour = dice_.bits();

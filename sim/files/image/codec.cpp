@@ -205,14 +205,14 @@ const char* plugin_of(const std::string& bytes) {
     throw std::runtime_error("it is not PNG, JPEG, BMP, TIFF, TGA (version 2), OpenEXR or HDR");
 }
 
-/// Returns true if a JPEG file ends before its picture. The library then makes up the missing texels.
+/// Returns true if a JPEG file ends before its picture does. The library would invent the missing texels.
 bool is_cut_jpeg(std::string_view bytes) {
     const std::size_t scan = bytes.rfind("\xff\xda"), end = bytes.rfind("\xff\xd9");
     return scan != bytes.npos && (end == bytes.npos || end < scan);
 }
 
-/// A picture in the memory. Reads it row by row, so that averaging needs little memory, and a truncated file
-/// fails before its memory is filled.
+/// Reads a picture file in memory row by row. So averaging needs little memory, and a truncated file fails
+/// before the memory for its texels is filled.
 class TextureReader {
 public:
     /// `bytes` must outlive the reader.
@@ -249,7 +249,7 @@ public:
     /// True if the channels hold linear light, false if they hold sRGB.
     bool is_linear() const { return is_floating(spec_.format); }
 
-    /// Calls take(texel) from left to right and from top to bottom. A texel has red, green, blue and alpha,
+    /// Calls take(texel) for each texel, row by row from the top. A texel has red, green, blue and alpha,
     /// clamped to 0..1; NaN counts as 0.
     template <class Take> void for_each(const Take& take) {
         const auto channels = std::size_t(spec_.nchannels);
@@ -274,7 +274,7 @@ private:
     OIIO::Filesystem::IOMemReader memory_;
     std::unique_ptr<OIIO::ImageInput> input_;
     OIIO::ImageSpec spec_;
-    bool is_divided_ = true;   ///< colours are not multiplied by alpha
+    bool is_divided_ = true;   ///< the library returns colours that are not multiplied by alpha
 };
 
 /// Adds in the order of the texels.

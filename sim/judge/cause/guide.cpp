@@ -416,8 +416,8 @@ double stretch_error(const std::array<std::int64_t, 9>& a) {
 struct Guide::TexturePlace {
     glm::dvec2 st{0};
     glm::dvec2 error{0x1p-19};   ///< in pictures
-    double scale_error = 0;      ///< of a level, by an instance's map
-    bool is_wrong = false;       ///< it is not the place of the point that was hit
+    double scale_error = 0;      ///< in levels, from an instance's map
+    bool is_wrong = false;       ///< it does not belong to the point that was hit
     bool is_last = false;        ///< the machine draws the texture's last level at any distance
 };
 
@@ -451,10 +451,10 @@ Guide::TexturePlace Guide::place_on_triangle(const MachineVisit& at, const RefCl
     return found;
 }
 
-/// The machine projects the unit normal that it found. The normal follows from its point, which place()
-/// judges. Each quotient is rounded down, by less than a unit of 2^(1 - bary_bits), and its divisor is larger
-/// by at most 2^-16. Steps e in both quotients are (e, 2 e, e) on the octahedron, at least 1 / sqrt(3) from
-/// its middle, so at most sqrt(18) e on the sphere.
+/// The machine projects the unit normal that it found. The normal follows from the hit's point, which place()
+/// judges. Rounding lowers each quotient by less than 2^(1 - bary_bits), and the 1 in the divisor lowers it
+/// by at most 2^-16. An error e of both quotients is at most (e, 2 e, e) on the octahedron. The octahedron
+/// lies at least 1 / sqrt(3) from its middle, so this is at most sqrt(18) e on the sphere.
 Guide::TexturePlace Guide::place_on_sphere(const MachineVisit& at, const RefClosest& hit) const {
     const double fine = std::exp2(-rules_.inputs.config.bary_bits);
     const Sphere& sphere = rules_.scene.spheres[hit.primitive - rules_.scene.triangles.size()];
@@ -467,10 +467,10 @@ Guide::TexturePlace Guide::place_on_sphere(const MachineVisit& at, const RefClos
     return found;
 }
 
-/// The machine counts sides of the plane from a point a (plane.hpp). This finds the plane's own squares at
-/// the same point, which place() judges. The coordinates at a and at the ends of its sides have 20 fraction
-/// bits, so their errors grow with the number of sides, unless the coordinates are whole numbers of these
-/// bits.
+/// The machine counts sides of the plane from a point a (plane.hpp). This function computes the coordinates
+/// at the same point from the plane's own point and squares. place() judges the point. The machine's
+/// coordinates at a, b and c have 20 fraction bits. If their differences are not multiples of 2^-20, the
+/// error grows with the number of sides.
 Guide::TexturePlace Guide::place_on_plane(const MachineVisit& at, const RefClosest& hit,
                                           const Texture& texture) const {
     const Config& config = rules_.inputs.config;
@@ -500,7 +500,7 @@ Guide::TexturePlace Guide::place_on_plane(const MachineVisit& at, const RefClose
             const double units = std::ldexp(step[axis], coordinate_frac);
             if (std::abs(units - std::round(units)) > 0x1p-12)
                 found.error[axis] += std::ldexp(std::abs(sides), -coordinate_frac);
-            // Such coordinates may not fit a record. Two corners may lie on both sides of the middle.
+            // These coordinates may not fit into a record. b and c may lie on opposite sides of a.
             const bool clamps = (axis == 0 ? texture.wrap_s : texture.wrap_t) == Wrap::clamp;
             found.is_last = found.is_last || std::abs(step[axis]) > most_coordinate - 2 ||
                             (clamps && std::abs(at_a[axis]) + std::abs(step[axis]) > most_coordinate - 1);
@@ -522,8 +522,8 @@ void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& ow
     const TexturePlace place = kind == PrimKind::sphere  ? place_on_sphere(*at, hit)
                                : kind == PrimKind::plane ? place_on_plane(*at, hit, texture)
                                                          : place_on_triangle(*at, hit, own);
-    // A bounce from beyond the lattice stores its origin with fewer bits. Where t is saturated, the machine
-    // measures the way from there as if it had them.
+    // A bounce from beyond the lattice stores its origin divided by 2^far_drop. Where t is saturated, the
+    // machine measures the path from this stored point.
     const Config& config = rules_.inputs.config;
     if (kind == PrimKind::plane && at->ray.partial != 0 && at->hit.t == (1u << config.t_bits()) - 1) {
         const double scale = rules_.reference.geometry().space().scale;
@@ -531,8 +531,7 @@ void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& ow
         const glm::dvec3 from = point({o[0], o[1], o[2]}, config.origin_frac());
         own.distance += (chord(point(at->state.o, config.origin_frac()), from) - hit.depth) / scale;
     }
-    if (place.is_wrong)
-        fail("a texture is drawn with other coordinates than those of the point that was hit");
+    if (place.is_wrong) fail("the coordinates of a texture do not belong to the point that was hit");
 
     const double level_error = 0.25 + place.scale_error;
     constexpr double cosine_error_of_level = 0x1p-12;

@@ -43,7 +43,7 @@ void MachinePath::answered(const Closest& hit) {
 
 void MachinePath::filtered(const TexReq& hit, const TexRecord&, const TexelPlace& place,
                            const TexRsp& answer) {
-    if (asks_cutout_) return;   // whether a light is hidden follows from the last ray to it
+    if (asks_cutout_) return;   // the last ray to the light tells whether it is hidden
     MachineVisit& visit = visits[std::size_t(at_)];
     visit.texture = MachineTexture{place.level, answer.hole != 0, hit.u, hit.v, visit.state.albedo};
 }

@@ -47,7 +47,7 @@ struct PlacedHit {
     bool is_none() const { return place == PlacedRay::nowhere && sphere_place == PlacedRay::nowhere; }
 };
 
-/// True for a triangle or plane of an instance that lets a ray to a light pass at this hit.
+/// Returns true if a ray to or from a light passes through a triangle or plane of an instance at this hit.
 using PlaceLetsPass = std::function<bool(std::uint32_t place, const FlatHit&)>;
 
 /// All instances of a scene, with a search tree over their boxes.

@@ -93,7 +93,7 @@ struct Nearest {
     SphereHit sphere;
 };
 
-/// True for a triangle or plane that lets a ray to a light pass at this hit.
+/// Returns true if a ray to or from a light passes through a triangle or plane at this hit.
 using LetsPass = std::function<bool(const FlatHit&)>;
 
 /// All primitives of a scene, with a search tree.

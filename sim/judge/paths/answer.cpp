@@ -107,14 +107,15 @@ bool says_more(const Closest& answer) {
     return answer.prim || answer.t || answer.u || answer.v || answer.back;
 }
 
-/// Judges the answer to a ray to or from a light that names no cut-out.
+/// Judges an answer to a ray to or from a light, if it reports no cut-out.
 const char* judge_way(bool is_blocked, const Closest& answer) {
     if (is_blocked != (answer.found != 0)) return is_blocked ? "its way is blocked" : "its way is free";
     return says_more(answer) ? "more is said of a shadow ray than yes or no" : nullptr;
 }
 
-/// True if a triangle lets light pass, for an answer that names no cut-out. A blocked way needs something
-/// without holes. On a free way there are only holes. `primitive`: the number in the scene.
+/// True if a triangle may lie in the way to a light without contradiction to an answer that reports no
+/// cut-out. If the answer is "blocked", an opaque primitive must lie in the way, so any triangle with holes
+/// may. If it is "free", only holes may lie in the way. `primitive`: the number in the scene.
 bool lets_pass(const Cutouts& cutouts, const Config& c, const Closest& answer, std::uint32_t primitive,
                const FlatHit& hit) {
     return cutouts.has_holes(primitive) &&
@@ -122,12 +123,12 @@ bool lets_pass(const Cutouts& cutouts, const Config& c, const Closest& answer, s
             cutouts.is_hole(primitive, weight_of(hit.u, hit.total, c), weight_of(hit.v, hit.total, c)));
 }
 
-/// Judges a cut-out in the way of a ray to or from a light. `hit`: the oracle's.
+/// Judges a cut-out that was reported in the way to or from a light. `hit`: the oracle's.
 const char* judge_cutout(const std::optional<FlatHit>& hit, bool ends, const Config& c,
                          const Closest& answer) {
     if (!hit) return "it misses that primitive";
     if (ends && hit->num * (Int128(1) << c.origin_frac()) >= hit->den)
-        return "a cut-out behind its end is named";
+        return "a cut-out behind the end of its ray is reported";
     return judge_values(*hit, c, answer);
 }
 
@@ -169,7 +170,7 @@ const char* judge_answer(const Solids& solids, const Config& c, const Ray& ray, 
         return judge_way(is_shadow ? solids.blocks(r, c.origin_frac(), passes) : solids.meets_any(r, passes),
                          answer);
     }
-    if (answer.cutout) return "a cut-out is told where none counts";
+    if (answer.cutout) return "a cut-out is reported for a ray that does not test a light";
     const Nearest nearest = solids.nearest(r);
     if (!answer.found) {
         if (nearest.flat.primitive != no_primitive || nearest.sphere.primitive != no_primitive)
@@ -243,7 +244,7 @@ const char* judge_answer(const PlacedWorld& world, const Config& c, const Ray& r
                    ? nullptr
                    : "another instance blocks its way";
     }
-    if (answer.cutout) return "a cut-out is told where none counts";
+    if (answer.cutout) return "a cut-out is reported for a ray that does not test a light";
     const oracle::PlacedHit nearest = solids.nearest(r);
     if (!answer.found) {
         if (!nearest.is_none()) return "it meets something";

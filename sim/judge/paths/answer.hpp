@@ -7,23 +7,23 @@ namespace rayclock {
 
 class PlacedWorld;
 
-/// The triangles that may let light pass, by their numbers in the scene.
+/// The triangles that may have holes, by their numbers in the scene.
 class Cutouts {
 public:
     virtual ~Cutouts() = default;
-    /// True if the triangle has a texture and a cut-off.
+    /// True if the primitive is a triangle with a texture and a cut-off.
     virtual bool has_holes(std::uint32_t primitive) const = 0;
     /// True if such a triangle has a hole at a hit. u and v: as in Closest.
     virtual bool is_hole(std::uint32_t primitive, std::uint32_t u, std::uint32_t v) const = 0;
 };
 
 /// Returns the fault of a ray's answer, or null. These are judged exactly: the primitive and its side; t, u
-/// and v of triangles and planes, rounded as payloads.hpp states; whether a shadow ray is blocked, by
-/// anything but a hole; whether a sphere is hit. The t of a sphere may exceed the true one by the bound in
+/// and v of triangles and planes, rounded as payloads.hpp states; whether anything other than a hole blocks a
+/// shadow ray; whether a sphere is hit. The t of a sphere may exceed the true one by the bound in
 /// model/unit/isect/any.hpp. So the sphere may lose to a primitive that is farther by less than this bound.
 ///
-/// A ray to or from a light may name a cut-out in its way, in any order. `cutouts`: null if no triangle has
-/// holes.
+/// The answer to a ray to or from a light may report any cut-out in its way, not only the nearest. `cutouts`:
+/// null if no triangle has holes.
 const char* judge_answer(const oracle::Solids& solids, const Config& config, const Ray& ray,
                          const Closest& answer, const Cutouts* cutouts = nullptr);
 

@@ -57,7 +57,8 @@ void PathJudge::sent(const Ray& ray) {
                "the ray asks planes where it must not, or the other way round");
         demand(!config_.spheres || (ray.self == expected_.self && ray.inside == expected_.inside),
                "the ray leaves another surface than was asked for");
-        demand(ray.holes == expected_.holes, "the ray ignores another number of cut-outs than had holes");
+        demand(ray.holes == expected_.holes,
+               "the ray ignores another number of cut-outs than the number of holes");
         demand(ray.home == expected_.home, "the ray leaves its instance elsewhere than was asked for");
         if (ends_at_any(ray.kind))
             ++rays_.shadow;
@@ -121,7 +122,7 @@ void PathJudge::passed(const PassIn& in, const PassOut& out) {
 
 void PathJudge::event(const PassIn& in, const PassOut& out) {
     const ShadeState& s = in.state;
-    if (cutout_) {   // its texture has answered
+    if (cutout_) {   // its texture has been read
         demand(texel_ && in.hole == texel_->hole, "a pass was given another texture's colour");
         const bool lets_pass = texel_ && texel_->hole && light_holes_.size() < (1u << hole_bits) - 1;
         cutout_.reset();

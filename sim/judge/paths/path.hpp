@@ -71,7 +71,7 @@ private:
         std::uint32_t self = 0, inside = 0;
         bool is_partial = false, is_refracted = false;
         Home home{};
-        std::uint32_t holes = 0;   ///< of a shadow ray: cut-outs that it passes
+        std::uint32_t holes = 0;   ///< of a shadow ray: number of cut-outs that it ignores
     };
     /// The current bounce, or a waiting one: the weight of its colour, and its depth.
     struct Branch {
@@ -206,8 +206,8 @@ private:
     std::uint32_t path_ = 0;                   ///< with textures: length of the path so far
     std::uint32_t holes_ = 0;                  ///< of textures, which the ray has passed
     std::optional<TexRsp> texel_;              ///< the last answer of tex
-    std::optional<TexturedSurface> cutout_;    ///< that a shadow ray has met and whose texture decides
-    std::vector<std::uint32_t> light_holes_;   ///< cut-outs through whose holes the light came so far
+    std::optional<TexturedSurface> cutout_;    ///< that the last shadow ray has met
+    std::vector<std::uint32_t> light_holes_;   ///< cut-outs through whose holes the light has passed
     Colour pixel_{};
     Light exact_pixel_{};
 };

@@ -119,10 +119,10 @@ void PathJudge::demand_texture(const ShadeState& s, const PassOut& out) {
 
 void PathJudge::filtered(const TexReq& hit, const TexRecord& record, const TexelPlace& place,
                          const TexRsp& answer) {
-    const std::optional<TexturedSurface>& triangle = cutout_ ? cutout_ : place_.texture;
-    if (!triangle)
+    const std::optional<TexturedSurface>& surface = cutout_ ? cutout_ : place_.texture;
+    if (!surface)
         fail("a surface without a texture is drawn with one");
-    else if (const char* wrong = judge_texture(rules_.inputs, *triangle, hit, record, place, answer))
+    else if (const char* wrong = judge_texture(rules_.inputs, *surface, hit, record, place, answer))
         fail(wrong);
     texel_ = answer;
 }
@@ -171,18 +171,17 @@ bool PathJudge::is_hole(std::uint32_t primitive, std::uint32_t u, std::uint32_t 
     return triangle && rayclock::is_hole(rules_.inputs, *triangle, u, v);
 }
 
-/// Judges the pass after a shadow ray has met a cut-out. An instance's own material has no texture, and hides
-/// the light.
+/// Judges the pass after a shadow ray has met a cut-out. If the instance has its own material, the cut-out
+/// has no texture and hides the light.
 void PathJudge::cutout(const PassIn& in, const PassOut& out) {
     cutout_ = textured(answer_.prim);
     ShadeState same = in.state;
     same.pending = out.state.pending, same.colour = out.state.colour;
     demand(same == out.state, "the pass of a cut-out changes fields of the surface");
     if (!cutout_)
-        return demand(out.leave == PassOut::Leave::again,
-                      "a cut-out without a texture is asked for its hole");
+        return demand(out.leave == PassOut::Leave::again, "a texture is requested for a cut-out without one");
     const TexReq& hit = out.tex;
-    demand(out.leave == PassOut::Leave::texture, "the texture of a cut-out is not asked");
+    demand(out.leave == PassOut::Leave::texture, "the texture of a cut-out is not requested");
     demand(in.surface.record != 0 && hit.record == in.surface.record && hit.u == answer_.u &&
                hit.v == answer_.v && hit.path == 0 && hit.cosine == full_share && hit.scale == 0,
            "the request to tex has another hit than the ray's");

@@ -100,8 +100,8 @@ Footprint footprint(const FrameInputs& inputs, const Texture& texture, std::size
             inputs.config.texels == TexelFormat::rgb565};
 }
 
-/// True if memory holds the nearest numbers to three corners' coordinates on one axis. A plane's may all have
-/// moved by the same number of periods.
+/// True if memory holds the nearest numbers to the coordinates of three corners on one axis. For a plane all
+/// three may differ by the same number of periods.
 bool holds_axis(const std::array<std::int32_t, 3>& held, const CornerCoordinates& corners, int axis,
                 Wrap wrap, PrimKind kind) {
     const double period = std::ldexp(wrap == Wrap::repeat ? 1.0 : 2.0, 20);
@@ -110,7 +110,7 @@ bool holds_axis(const std::array<std::int32_t, 3>& held, const CornerCoordinates
         moves ? period * std::round((std::ldexp(corners[0][axis], 20) - held[0]) / period) : 0;
     for (std::size_t k = 0; k < 3; ++k) {
         const double value = std::ldexp(corners[k][axis], 20);
-        // A plane's own point may be far away: its coordinates are then larger, and a double rounds them.
+        // If a plane's own point is far away, the coordinates are large, and a double rounds them.
         const double error = kind == PrimKind::plane ? 0x1p-50 * std::abs(value) : 0;
         if (!is_nearest(held[k], value - shift, error)) return false;
     }
@@ -149,7 +149,7 @@ const char* judge_record(const FrameInputs& inputs, const TexturedSurface& surfa
 }
 
 /// Returns log2 of the texels per unit of length: half the logarithm of a quotient of areas. `normal`: the
-/// cross product of two sides, between which the coordinates are given.
+/// cross product of the sides from the first corner to the other two.
 double detail_of(const Texture& texture, const CornerCoordinates& corners, const glm::dvec3& normal) {
     const TexelLevel& level = texture.pyramid->levels[0];
     const glm::dvec2 e1 = corners[1] - corners[0], e2 = corners[2] - corners[0];
@@ -158,7 +158,7 @@ double detail_of(const Texture& texture, const CornerCoordinates& corners, const
     return texels > 0 && area > 0 ? 0.5 * (std::log2(texels) - std::log2(area)) : -HUGE_VAL;
 }
 
-/// Sets the coordinates at a plane's corners in memory, which count squares from the plane's own point.
+/// Sets the coordinates at the corners that a plane has in memory, from the coordinates of its squares.
 void set_plane(const Plane& plane, const PlaneOnLattice& on, TexturedSurface& out) {
     const glm::dvec2 along_u = plane.coordinates[1] - plane.coordinates[0],
                      along_v = plane.coordinates[2] - plane.coordinates[0];
@@ -171,7 +171,7 @@ void set_plane(const Plane& plane, const PlaneOnLattice& on, TexturedSurface& ou
         const auto& c = out.coordinates;
         double low = std::min({c[0][axis], c[1][axis], c[2][axis]}),
                high = std::max({c[0][axis], c[1][axis], c[2][axis]});
-        // Periods are taken away until the middle lies in the first one.
+        // Whole periods are subtracted, so that the middle lies in the first period.
         const Wrap wrap = axis == 0 ? out.texture->wrap_s : out.texture->wrap_t;
         if (wrap != Wrap::clamp) {
             const double period = wrap == Wrap::repeat ? 1 : 2,
@@ -219,7 +219,7 @@ bool is_octahedral(const TexReq& hit, const Vec3i& outwards, const Config& confi
     const Int128 whole = size(0) + size(1) + size(2) + 1, half = Int128(1) << (config.bary_bits - 1);
     const std::array<Int128, 2> middle{floor_of(half * size(0), whole), floor_of(half * size(2), whole)};
     for (std::size_t i = 0; i < 2; ++i) {
-        // The lower half of the sphere is folded outwards: each axis has the rest that the other one leaves.
+        // The lower half of the sphere is folded outwards: each axis gets 1 minus the other one.
         const Int128 away = outwards[1] < 0 ? half - middle[1 - i] : middle[i];
         if (Int128(i == 0 ? hit.u : hit.v) != (outwards[2 * i] < 0 ? half - away : half + away)) return false;
     }

@@ -10,12 +10,13 @@ namespace rayclock {
 struct TexturedSurface {
     const Texture* texture = nullptr;
     PrimKind kind = PrimKind::triangle;
-    /// Of the corners in memory, in pictures. A plane's may differ from memory's by whole periods.
+    /// At the corners in memory, in pictures. For a plane they may differ from memory by whole periods.
     CornerCoordinates coordinates{};
     /// log2 of the number of texels of level 0 per lattice step.
     double detail = 0;
     double cutoff = 0;
-    bool is_average = false;   ///< a plane whose coordinates do not fit: it shows its last level
+    bool is_average = false;   ///< a plane whose coordinates do not fit into a record: it shows the last
+                               ///< level
 };
 /// Returns a primitive of a scene, if it shows a texture.
 std::optional<TexturedSurface> textured_surface(const Scene& scene, const Lattice& lattice,
@@ -25,8 +26,8 @@ std::optional<TexturedSurface> textured_surface(const Scene& scene, const Lattic
 /// unit normal that the chip found, 16 fraction bits.
 bool is_octahedral(const TexReq& hit, const Vec3i& outwards, const Config& config);
 
-/// Returns the length of a path after a ray, by the rule in docs/machine/shading.md. `far_way`: on a plane
-/// whose t is saturated, the way from the ray's origin to the hit, in units of 2^-B.
+/// Returns the length of a path after a ray, by the rule in docs/machine/shading.md. `far_way`: for a hit on
+/// a plane with a saturated t, the vector from the ray's origin to the hit, in units of 2^-B.
 std::uint32_t path_length(std::uint32_t before, const Vec3i& d, std::uint32_t t,
                           const std::optional<Vec3l>& far_way, const Config& config);
 

@@ -18,8 +18,8 @@ struct AlphaRange {
     double least = 2, most = -1;
 };
 
-/// `error`: of s and t. The samples are as close as the machine's grid, 256ths of a texel, up to 65 on a
-/// side.
+/// Samples alpha within `error` of s and t. The samples are 256ths of a texel apart, as the machine's places
+/// are, but at most 65 along each axis.
 AlphaRange alpha_near(const Texture& texture, const glm::dvec2& st, const glm::dvec2& error) {
     const TexelLevel& picture = texture.pyramid->levels[0];
     const glm::dvec2 grid = 512.0 * glm::dvec2(picture.width, picture.height) * error;

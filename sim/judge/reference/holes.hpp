@@ -5,18 +5,19 @@
 
 namespace rayclock {
 
-/// Errors within which a hole may be decided either way.
+/// Errors within which either decision about a hole is right.
 struct HoleSlack {
     double weight = 0;   ///< of a hit's u and v
     double moved = 0;    ///< distance by which a hit may move in its triangle's plane, in scene units
     double alpha = 0;    ///< of the cut-off
 };
-/// Whether something lies in the way to a light. The two differ only where the slack leaves a hole open.
+/// Whether something opaque lies in the way to a light. The two flags differ only where the slack leaves the
+/// decision about a hole open.
 struct Hidden {
     bool surely = false, possibly = false;
 };
 
-/// Looks along a path up to `distance`. A triangle with a cut-off lets light pass where the alpha of its
+/// Tests the path up to `distance`. Light passes through a triangle with a cut-off where the alpha of its
 /// texture's level 0 is below the cut-off. More than most_holes holes hide the light.
 Hidden hidden_at(const RefGeometry& geometry, const Scene& scene, const RefPath& path, double distance,
                  const HoleSlack& slack = {});

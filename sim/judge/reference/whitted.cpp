@@ -132,7 +132,8 @@ void Tracer::on_plane(const RefClosest& hit, RefSurface& surface) const {
     if (steer_) surface.colour = steer_->square(hit, *surface.material, surface.colour);
 }
 
-/// Finds the place in the texture of the surface that was hit, and the texture's density there.
+/// Finds the place in the texture of the surface that was hit, and the density of its texels
+/// (RefTexel::detail).
 void Tracer::find_place(const Texture& texture, const RefClosest& hit, const RefSurface& surface,
                         RefTexel& texel) const {
     const std::size_t triangles = scene_.triangles.size(), planes = triangles + scene_.spheres.size();
@@ -152,8 +153,8 @@ void Tracer::find_place(const Texture& texture, const RefClosest& hit, const Ref
     }
 }
 
-/// Returns the factor of a surface's colour: the colour of its texture, or 1. Determines whether the texture
-/// of a triangle has a hole.
+/// Returns the factor of a surface's colour: the colour of its texture, or 1. Determines whether a triangle
+/// has a hole there.
 glm::dvec3 Tracer::picture(const RefPath& path, const RefClosest& hit, RefSurface& surface) const {
     const std::optional<std::uint32_t> number = texture_of(scene_, hit.primitive);
     if (!number) return glm::dvec3(1);

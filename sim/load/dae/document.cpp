@@ -148,8 +148,8 @@ DaePoints DaeDocument::read_points(const XmlElement& source, std::uint64_t width
     made.stride = whole(accessor, "stride", 1);
     if (made.stride < width)
         refuse(accessor, fmt::format("a stride of {}, and a point has {} numbers", made.stride, width));
-    // A parameter without a name is skipped. If fewer than `width` have a name, the first numbers are the
-    // point.
+    // A parameter without a name is skipped. If fewer than `width` parameters have a name, the point has the
+    // first numbers.
     std::uint64_t named = 0, number = 0;
     for (const XmlElement& param : accessor.children) {
         if (param.name != "param") continue;

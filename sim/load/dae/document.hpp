@@ -65,7 +65,7 @@ public:
     /// Returns the position of an input's index among the indices of a corner.
     std::uint64_t offset(const XmlElement& input) const;
 
-    /// Returns the points of the source that an input names. `width`: the numbers of a point, 2 or 3.
+    /// Returns the points of the source that an input names. `width`: how many numbers a point has, 2 or 3.
     const DaePoints& points(const XmlElement& input, std::uint64_t width = 3);
     /// Returns the array of words (names, ids) or numbers that a source's accessor names.
     const XmlElement& array_of(const XmlElement& source) const;

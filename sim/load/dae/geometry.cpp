@@ -83,8 +83,8 @@ DaeGeometries::Inputs DaeGeometries::inputs_of(const XmlElement& primitive, cons
     return made;
 }
 
-/// The coordinates of <vertices> are the set 0, unless the primitive has one. A set that the primitive lacks
-/// leaves its corners without coordinates.
+/// The coordinates of <vertices> are the set 0, unless the primitive has its own set 0. If the primitive
+/// lacks the chosen set, its corners have no coordinates.
 void DaeGeometries::choose_coordinates(const XmlElement& primitive, std::optional<std::uint64_t> set,
                                        Inputs& inputs) {
     std::map<std::uint64_t, const XmlElement*> sets;
@@ -104,7 +104,7 @@ void DaeGeometries::choose_coordinates(const XmlElement& primitive, std::optiona
     }
 }
 
-/// Returns coordinates of a corner. In the file t increases upwards.
+/// Returns the coordinates of a corner, with t downwards. In the file t increases upwards.
 glm::dvec2 DaeGeometries::on_picture(const XmlElement& list, Inputs& inputs, std::uint64_t index) const {
     const auto fault = [&](const std::string& sentence) {
         if (inputs.fault.empty())

@@ -19,8 +19,8 @@ struct DaePart {
     std::string fault;   ///< the message about the first wrong texture coordinate, or empty
 };
 
-/// For each symbol whose material shows a picture, the set of coordinates that the picture uses. Without a
-/// number it is the first set.
+/// For each symbol whose material shows a picture, the number of the set of coordinates that the picture
+/// uses; nothing if the file does not choose one: then the first set.
 using DaeSets = std::map<std::string, std::optional<std::uint64_t>>;
 
 /// Cuts meshes into triangles. Throws UserError if the document is wrong.

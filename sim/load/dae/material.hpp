@@ -21,10 +21,10 @@ public:
     /// Returns the material of a <material>, and reads its picture. It is grey if the effect has no shader of
     /// the common profile. Throws UserError if the document is wrong.
     const Material& material(const XmlElement& in);
-    /// Returns the name of the coordinates that the picture of a <material> uses (its `texcoord`). Returns
-    /// nothing if it names no picture, or the load draws none.
+    /// Returns the name of the coordinates that the picture of a <material> uses (`texcoord`). Returns
+    /// nothing if the material has no picture, or the load draws no pictures.
     std::optional<std::string> coordinates(const XmlElement& in);
-    /// Returns the textures of all materials, which name them by their index.
+    /// Returns all textures. Material::texture is an index into them.
     const std::vector<Texture>& textures() const { return textures_.all(); }
     /// Adds notes to the loading about everything that was left out.
     void say_left_out() const;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int most_deep = 500;   // visit() is recursive
 
-/// The material of a symbol, and the set of each name by which its pictures refer to coordinates.
+/// The id of a symbol's material. `sets`: the set of coordinates for each name that its pictures use.
 struct Binding {
     std::string material;
     std::map<std::string, std::uint64_t> sets;
@@ -130,8 +130,8 @@ private:
         return all;
     }
 
-    /// Builds the parts of a copy. All copies of a geometry with the same sets of coordinates share them;
-    /// each skin and morph has its own.
+    /// Builds the parts of a copy. Copies of a geometry with the same sets of coordinates share the parts.
+    /// Each skin and morph has its own parts.
     void build(Copy& copy) {
         DaeSets sets = this->sets(copy.bindings);
         if (!copy.controlled) {
@@ -152,7 +152,7 @@ private:
 
     void place(const Copy& copy) {
         if (!copy.parts) return;
-        document_.charge(copy.parts->size() * sizeof(DaePart));   // parts may be empty, and copies many
+        document_.charge(copy.parts->size() * sizeof(DaePart));   // many copies may have empty parts
         for (const DaePart& part : *copy.parts) {
             const XmlElement* const found = material(copy.bindings, part.symbol);
             lost_materials_ += !found && !part.symbol.empty();

@@ -18,7 +18,7 @@ std::string word_of(const XmlElement& sampler, const char* name) {
     return child ? joined_words(child->text) : std::string();
 }
 
-/// Returns the file that a URI names. An absolute URI is one of the author's machine.
+/// Returns the file that a URI names. An absolute URI belongs to the author's machine, see portable_name().
 std::string file_of_uri(std::string uri) {
     constexpr std::string_view scheme = "file:";
     if (lower(uri).starts_with(scheme)) uri.erase(0, scheme.size());
@@ -70,7 +70,7 @@ DaeTextures::Source DaeTextures::source(const XmlElement& in, const DaeParams& p
     return made;
 }
 
-/// Returns the name of an image's file: the text of <init_from>, in COLLADA 1.5 that of its <ref>.
+/// Returns the name of an image's file: the text of <init_from>, or in COLLADA 1.5 the text of its <ref>.
 std::optional<std::string> DaeTextures::file_of(const XmlElement& image) {
     const XmlElement* const from = image.find("init_from");
     const XmlElement* const ref = from ? from->find("ref") : nullptr;
@@ -98,7 +98,7 @@ Wrap DaeTextures::wrap(const XmlElement& sampler, const char* name) {
     return Wrap::clamp;
 }
 
-/// In COLLADA 1.4 `minfilter` also selects the mip levels, in 1.5 `mipfilter` does.
+/// Mip levels follow from `minfilter` in COLLADA 1.4, and from `mipfilter` in 1.5.
 void DaeTextures::sample(const XmlElement& sampler, Texture& out) {
     out.wrap_s = wrap(sampler, "wrap_s"), out.wrap_t = wrap(sampler, "wrap_t");
     const auto filter = [&](const char* name) {
@@ -114,7 +114,7 @@ void DaeTextures::sample(const XmlElement& sampler, Texture& out) {
         std::string word = word_of(sampler, name);
         if (std::find(known.begin(), known.end(), word) == known.end())
             document_.refuse(*sampler.find(name),
-                             fmt::format("{} is {}, which is no filter of COLLADA", name, shown(word)));
+                             fmt::format("{} is {}, which COLLADA does not define", name, shown(word)));
         return word;
     };
     const std::string smaller = filter("minfilter"), levels = filter("mipfilter");

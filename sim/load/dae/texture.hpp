@@ -19,9 +19,9 @@ namespace rayclock {
 /// The parameters of an effect: by the name of a <newparam>, the element with its value.
 using DaeParams = std::map<std::string, const XmlElement*>;
 
-/// The pictures that <texture> elements show: texture -> sampler2D -> surface -> image, or as in COLLADA 1.5
-/// without the surface. Many programs name the image directly. A picture that cannot be found or read only
-/// causes a note.
+/// The pictures that <texture> elements show. The references are texture -> sampler2D -> surface -> image,
+/// and in COLLADA 1.5 texture -> sampler2D -> image. Many programs name the image directly. A picture that
+/// cannot be found or read only causes a note.
 class DaeTextures {
 public:
     /// `folder` is the folder of the document.

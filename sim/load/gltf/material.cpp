@@ -15,10 +15,10 @@ namespace {
 
 float single(double x) { return static_cast<float>(x); }
 
-/// Returns the up direction of a camera with these axes to the right, up and back. A camera without roll,
-/// whose axis to the right is level in single precision, gets the vertical: the view is the same, and --eye,
-/// --at and --orbit, which keep this direction, do not tilt the horizon. A camera that looks straight up or
-/// down, or stands on its head, keeps its own axis.
+/// Returns the up direction of a camera with these axes to the right and up. A camera has no roll if its axis
+/// to the right is level in single precision. It then gets the vertical, which does not change the view.
+/// --eye, --at and --orbit keep this direction, so they do not tilt the horizon. A camera that looks straight
+/// up or down, or is upside down, keeps its own axis.
 glm::dvec3 up_of(const glm::dvec3& right, const glm::dvec3& up) {
     constexpr double level = 0x1p-20, least_height = 0x1p-10;
     const bool is_level = std::abs(right.y) <= level * glm::length(right),

@@ -22,7 +22,7 @@ Material material_of_keys(const JsonValue& in, Material material);
 
 /// The value of a material's key "texture".
 struct JsonTexture {
-    std::string file;                 ///< relative to the scene file; empty: a pattern
+    std::string file;                 ///< relative to the scene file; empty with a pattern
     std::optional<Pattern> pattern;   ///< instead of a file
     Texture texture;                  ///< without its picture
 };

@@ -87,12 +87,13 @@ private:
             else
                 give_picture(made, given, texture->raw().is_object() ? texture->at("file") : *texture);
         } else if (const auto cutoff = in.find("cutoff")) {
-            cutoff->refuse("makes holes by the alpha of a texture, and this material has no texture");
+            cutoff->refuse(
+                "makes holes where the alpha of a texture is low, and this material has no texture");
         }
         return made;
     }
 
-    /// Paints a pattern. The load draws it, or its average colour.
+    /// Paints a pattern. The material gets it as its texture, or its average colour if the load draws none.
     void give_pattern(Material& material, const JsonTexture& given, const JsonValue& from) {
         const Pattern& pattern = *given.pattern;
         make_room(from, 2 * sizeof(TexelLevel::texels[0]) * std::uint64_t(pattern.width) *

@@ -121,7 +121,7 @@ struct Found {
     TextureMap map;   ///< without a file: no picture
     bool has_other_textures = false;
 };
-/// A material in use. `map` is the place of its texture.
+/// A material in use, and the map that places its texture.
 struct Used {
     Material material;
     TextureMap map;
@@ -293,8 +293,8 @@ private:
         return out;
     }
 
-    /// Returns the texture of a material, or nothing if the load averages textures or its picture cannot be
-    /// read.
+    /// Returns the texture of a material. Returns nothing if the load averages textures, or the picture
+    /// cannot be read.
     std::optional<std::uint32_t> texture_of(const TextureMap& map) {
         if (map.file.empty() || !loading_.draws_textures()) return std::nullopt;
         const auto pyramid = pictures_.pyramid(folder_, map.file);
@@ -311,7 +311,7 @@ private:
         return static_cast<std::uint32_t>(textures_.size() - 1);
     }
 
-    /// The picture replaces the diffuse colour. Returns the material of a number above 0.
+    /// Returns the material of a number above 0. Its picture replaces the diffuse colour.
     Used material(std::uint32_t number) {
         const std::string& name = names_[number - 1];
         const auto known = materials_.find(name);
@@ -332,7 +332,7 @@ private:
         return made;
     }
 
-    /// Returns the materials of all faces by their numbers. The number 0 has the default material.
+    /// Returns the materials of all faces by their numbers. 0 is the default material.
     std::map<std::uint32_t, Used> used_materials() {
         std::map<std::uint32_t, Used> used;
         for (const Mesh& m : meshes_)
@@ -343,8 +343,8 @@ private:
         return used;
     }
 
-    /// Returns the coordinates of a vertex on a picture. In the file t increases upwards. Throws UserError if
-    /// the picture cannot be drawn there.
+    /// Returns the coordinates of a vertex on a picture, with t downwards. In the file t increases upwards.
+    /// Throws UserError if the vertex has no coordinates or they are too large.
     glm::dvec2 on_picture(const Mesh& m, std::uint16_t vertex, const TextureMap& map) const {
         if (vertex >= m.coordinates.size())
             at_.refuse(fmt::format("the mesh {} has {} texture coordinates for {} vertices", shown(m.name),

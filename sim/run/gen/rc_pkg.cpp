@@ -393,7 +393,7 @@ void derived(Package& p, const Config& c) {
     p.constant("TriLatency", c.tri_latency());
     p.constant("TexAddressStages", stages.tex_address);
     p.constant("TexFilterStages", stages.tex_filter);
-    p.constant("OctahedralSteps", c.bary_bits / 2);   // of two bits: the quotient has bary_bits - 1
+    p.constant("OctahedralSteps", c.bary_bits / 2);   // each finds two of bary_bits - 1 bits
     p.constant("ShadeStages", stages.pass);
     p.constant("ShadeCut", stages.pass_cut);
     p.constant("ShadeOut", stages.pass_out);

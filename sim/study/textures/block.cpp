@@ -1,4 +1,4 @@
-// Encodes, decodes and lays out blocks.
+// Encodes and decodes blocks, and computes their lines of memory.
 #include "sim/study/textures/block.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 using Code = std::array<std::uint8_t, 4>;
 
-/// Returns the colour of 5, 6 and 5 bits as codes of 8 bits.
+/// Returns the 8-bit codes of a colour of 5, 6 and 5 bits.
 std::array<int, 3> expanded(int packed) {
     const int red = packed >> 11, green = packed >> 5 & 63, blue = packed & 31;
     return {red << 3 | red >> 2, green << 2 | green >> 4, blue << 3 | blue >> 2};
@@ -37,7 +37,8 @@ std::array<Code, 4> palette_of(const std::array<std::uint8_t, 8>& block) {
 
 std::uint8_t alpha_bit(std::uint8_t alpha) { return alpha >= 128 ? 255 : 0; }
 
-/// The levels of a texture in lines of tiles of 2^tile x 2^tile texels.
+/// Return the logarithms of the number of lines of a level, and of the lines in a row of tiles, for tiles of
+/// 2^tile x 2^tile texels.
 int level_lines_log(const TexRecord& record, std::uint32_t level, int tile) {
     return std::max(int(record.log_width) - int(level) - tile, 0) +
            std::max(int(record.log_height) - int(level) - tile, 0);

@@ -1,4 +1,4 @@
-// Draws each scene with each filter and coding, on the model and on the reference.
+// Draws each scene with each filter and coding on the model, and with each filter on the reference.
 #include "sim/study/textures/measure.hpp"
 
 #include <algorithm>
@@ -97,8 +97,8 @@ private:
     std::vector<RecordedFrame> frames_;
 };
 
-/// The textures of a scene that lie in the memory image. Textures that differ only in their filter share
-/// texels.
+/// Returns the textures on the triangles of a scene, once for all that share texels in memory: textures that
+/// differ only in their filter do.
 std::vector<Texture> stored_textures(const Scene& scene) {
     std::map<std::tuple<const Pyramid*, Wrap, Wrap>, Texture> stored;
     for (const Triangle& triangle : scene.triangles)
@@ -140,8 +140,10 @@ public:
         request_ = request_of(name, study.config, finish, 1, study.size, progress);
         textures_ = stored_textures(request_.scene);
         if (textures_.empty())
-            throw UserError(printable(name) + " has no picture on a triangle, which study textures needs");
-        if (request_.config.has_instances()) throw UserError("study textures: use levels=1");
+            throw UserError(printable(name) +
+                            " has no picture on a triangle, so study textures cannot measure it");
+        if (request_.config.has_instances())
+            throw UserError("study textures measures only machines with one level; set levels=1");
         figures_.scene = name;
     }
 

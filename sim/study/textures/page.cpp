@@ -86,9 +86,10 @@ std::string rows_prose(const SceneFigures& figures) {
               &narrow = figures.row(Filter::levels, Coding::rgb565);
     return fmt::format(
         "With rgb888, interpolation changes the PSNR against 64 samples from {} to {} dB, and mip levels "
-        "change it to {} dB. Mip levels take {} cycles than level 0, and read {} bytes. With mip levels, "
-        "rgb565 takes {} cycles than rgb888 and reads {} bytes. Its PSNR against 64 samples is {} dB, and "
-        "against the exact picture it is {} dB instead of {} dB. With 8 bits of alpha it would be {} dB.\n",
+        "change it to {} dB. A frame with mip levels takes {} cycles than with level 0, and reads {} bytes. "
+        "With mip levels, rgb565 takes {} cycles than rgb888 and reads {} bytes. Its PSNR against 64 samples "
+        "is {} dB, and against the exact picture {} dB instead of {} dB. With 8 bits of alpha the latter "
+        "would be {} dB.\n",
         decibels(nearest.psnr_samples), decibels(bilinear.psnr_samples), decibels(levels.psnr_samples),
         change(bilinear.cost().cycles, levels.cost().cycles),
         change(bilinear.cost().bytes, levels.cost().bytes),
@@ -155,7 +156,7 @@ std::string machines_prose(const SceneFigures& figures) {
         decibels(narrow.psnr_exact_alpha8));
 }
 
-/// Returns the formats of a line of memory, with the share of it that is used.
+/// Returns a table of the formats of a line of memory: their tiles, their bits, and the bytes of a texel.
 std::string layout_table() {
     Table table({"texels", "tile", "with border", "bits of a line", "bytes per texel in memory",
                  "bytes per texel alone"},
@@ -224,12 +225,12 @@ std::string page(const std::vector<SceneFigures>& all, const Study& study, const
 
 Made by `{}`. Do not edit. [Textures](../machine/shading.md#textures) explains the unit.
 
-Each picture has {} x {} pixels and {} bounce{}. The machine is `{}` at {:g} MHz, with cold caches. *64 samples* is the
-picture of the reference tracer with 8 x 8 samples in a pixel and the scene's own filters. *exact* is its picture with
-one sample in a pixel and the row's filter. PSNR is over 8-bit sRGB values, in dB. *with 8-bit alpha* is PSNR
-against *exact* if only colours have the format of the row. *hits* is the share of the look-ups
-in `tex_cache` that hit, for records and texels. A texture that the scene reads without interpolation has none in any
-row.
+Each picture has {} x {} pixels, and its paths have at most {} bounce{}. The machine is `{}` at {:g} MHz, with cold
+caches. *64 samples* is the reference tracer's picture with 8 x 8 samples per pixel and the scene's own filters. *exact*
+is its picture with one sample per pixel and the filter of the row. PSNR is over 8-bit sRGB values, in dB. *with 8-bit
+alpha* is the PSNR against *exact* if colours have the format of the row and alpha has 8 bits. *hits* is the share of
+look-ups in `tex_cache` that hit, for records and texels. A texture whose filter is `nearest` in the scene keeps this
+filter in every row. *texels, KB* counts textures on triangles.
 )",
                                    command, study.size.width, study.size.height, study.depth,
                                    study.depth == 1 ? "" : "s", study.config.name, default_khz / 1e3);
@@ -240,16 +241,17 @@ row.
 ## Block compression
 
 The machine has no compressed format. These figures show what BC1 would change. BC1 stores {} x {} texels in {} bits:
-two colours of 16 bits, and 2 bits for each texel. The encoder is `stb_dxt`. Alpha has one bit, as with rgb565.
+two colours of 16 bits, and 2 bits for each texel. `stb_dxt` encodes the blocks. Alpha has one bit, as with rgb565.
 
-A line of memory holds a tile with its border, so that one line has all texels of a filter. The border
-repeats texels of other tiles:
+A line of memory holds a tile and its border, so that one line has all texels of a filter. The border repeats texels of
+other tiles:
 
 {}
-The rows *BC1* have the last of these forms. Their cycles, bytes and hits come from the rays of rgb565, whose lines of
-texels were replaced by those of the larger tiles. The decoder's latency is not included, and the border has the colours
-of the neighbouring tiles. For each scene, the first table has the error of each picture at level 0. The second table has
-cycles on several machines. In its last column each picture has a single line of texels, so that nearly all look-ups hit.
+The rows *BC1* have the last of these forms. Their cycles, bytes and hits come from the recorded rays of rgb565, in
+which the lines of the larger tiles replace the lines of texels. The decoder's latency is not included. Texels of the
+border have the decoded colours of the neighbouring tiles. For each scene, the first table has the PSNR of level 0 of
+each picture. The second table has cycles on several machines. In its last column each picture has a single line of
+texels, so nearly all look-ups hit.
 )",
                         block_side, block_side, block_bits, layout_table());
     for (const SceneFigures& figures : all)

@@ -1,5 +1,5 @@
 #pragma once
-// The text, the pictures and the JSON of the page textures.
+// The page about textures: its text, its pictures, and the figures as JSON.
 #include <nlohmann/json.hpp>
 
 #include "sim/study/textures/measure.hpp"
@@ -9,8 +9,8 @@ namespace rayclock::texture_study {
 /// Returns the file name of a picture of the page, in the folder `figures` next to the page.
 std::string picture_name(const std::string& scene, const std::string& what);
 
-/// Makes folder/figures. Throws UserError if it cannot be written, or if two scenes would write the same
-/// files.
+/// Makes folder/figures. Throws UserError if the folder cannot be written, or if two scenes would write the
+/// same files.
 void prepare_pictures(const std::vector<std::string>& scenes, const std::string& folder);
 
 /// Writes the pictures of the page into folder/figures. Throws UserError if it cannot write.

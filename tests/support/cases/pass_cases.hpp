@@ -298,7 +298,7 @@ inline PassIn random_pass(Draw& draw, const Frame& frame, const Config& c) {
     return in;
 }
 
-/// Returns the pass without a cut-out in the way to the last light.
+/// Returns the same pass, but without a cut-out in the way to the last light.
 inline PassIn without_cutout(PassIn in) {
     if (in.state.pending == std::uint32_t(Pending::texture)) in.state.pending = std::uint32_t(Pending::none);
     in.hit.cutout = 0;

@@ -14,7 +14,8 @@ __extension__ using Int128 = __int128;
 
 /// Returns a chip with textures. "rgb888" has the widths of default, "rgb565" those of ulx3s-shaded. "narrow"
 /// has few contexts, few bits of u and v, and the shortest addresses. "fine" has the most bits of u and v.
-/// "levels" has two levels. "planes" has planes, whose u and v are signed, and "wide" the most bits of them.
+/// "levels" has two levels. "planes" has planes, whose u and v are signed. "wide" has planes and the widest u
+/// and v.
 inline Config tex_config(const std::string& name) {
     Config c = named_config(name == "rgb565" ? "ulx3s-shaded" : "default");
     c.name = name;
@@ -75,7 +76,7 @@ inline bool is_at_end(const TexReq& hit, const Config& c) {
     };
     return c.planes && (ends(hit.u) || ends(hit.v));
 }
-/// A path of 0 asks for level 0.
+/// A path of 0 selects level 0.
 inline int wanted_level(const TexReq& hit, const TexRecord& record, int spread) {
     if (hit.path == 0) return 0;
     const auto nearest = int(floor_by(level_in_64ths(hit, record, spread) + 32, 64));

@@ -9,9 +9,9 @@
 namespace rayclock::test {
 
 /// Draws a scene: a floor, leaves at random places and sizes, some mirrored, and a sphere; with `planes` also
-/// a plane. One light lies within the lattice, the other beyond it. The leaves have a bilinear texture with
-/// every kind of alpha, or one of nearest texels that is mirrored beyond its edges. With `own_materials` some
-/// leaves have a material of their own without a texture.
+/// a plane. One light lies within the lattice, the other beyond it. The leaves have a texture with the
+/// bilinear filter, or a mirrored texture with the nearest texel. With `own_materials` some leaves have a
+/// material of their own without a texture.
 class Foliage {
 public:
     explicit Foliage(unsigned seed) : draw_(seed) {

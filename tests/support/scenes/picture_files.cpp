@@ -66,7 +66,7 @@ std::string small_jpeg(const std::vector<int>& values, int side) {
     for (std::size_t i = 0; i < values.size(); ++i) {
         frame += std::string{char(i + 1), 0x11, 0};
         scan += std::string{char(i + 1), 0};
-        // A block has only its mean: the number of bits (4 bits), the bits, and the end of the block.
+        // A block has only its mean: the length of the number (4 bits), the number, and the end of the block.
         const int mean = 8 * (values[i] - 128);
         int length = 0;
         while (std::abs(mean) >> length) ++length;

@@ -10,7 +10,7 @@ namespace rayclock::test {
 std::string png_chunk(const std::string& kind, const std::string& data);
 
 /// Returns a PNG file. `rows` holds the rows, each after its filter byte 0. `others` are chunks before the
-/// pixels. `is_interlaced`: the rows are those of the seven passes.
+/// pixels. `is_interlaced`: the rows belong to the seven passes.
 std::string png_of(std::uint32_t width, std::uint32_t height, int depth, int colour_type,
                    const std::string& rows, const std::string& others = {}, bool is_interlaced = false);
 

@@ -95,8 +95,8 @@ public:
                             "rotate": {"axis": [0, 1, 0], "degrees": 120}}]}]})");
     }
 
-    /// A band of four squares that grows to four times its length and turns. One second. If
-    /// `instance_paints`, its instance has the material with the texture, else its file.
+    /// A film of one second: a band of four squares grows to four times its length and turns. With
+    /// `instance_paints` the material with the texture belongs to an instance, otherwise to the band's file.
     std::string waving(bool instance_paints) const {
         const auto band = [&](double step, double rise) {
             std::ostringstream out;

@@ -7,7 +7,7 @@
 namespace rayclock::test {
 
 /// A plain model of one ray at list: leaves from near to far, each triangle of a leaf in turn, and no leaf
-/// that begins beyond the best hit. A shadow ray stops after its first hit, but passes its first cut-outs.
+/// that begins beyond the best hit. A shadow ray ignores its first cut-outs and stops after the next hit.
 struct LeafWalk {
     Ray ray;
     TriRsp found;   ///< best hit so far; closer is 0 without one
@@ -15,7 +15,7 @@ struct LeafWalk {
     std::size_t leaf = 0;   ///< index in the node's leaves
     std::uint32_t triangle = 0;
     std::uint32_t beyond = 0;
-    std::uint32_t holes = 0;   ///< cut-outs that it will still pass
+    std::uint32_t holes = 0;   ///< number of cut-outs that it still ignores
 
     bool is_shadow_ray() const { return ray.kind == 2 || ray.kind == 3; }
     bool blocked() const { return is_shadow_ray() && found.closer; }
