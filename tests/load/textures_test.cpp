@@ -492,6 +492,14 @@ TEST_CASE("json: a pattern with a fault is refused in one sentence") {
     CHECK_THROWS_WITH(json(document), Contains("must be 3 points [s, t], at point, point + u and point + v"));
 }
 
+TEST_CASE("json: the random values of noise count as memory that a file makes") {
+    Json document = round_json({{"pattern", "checker"}});
+    for (int i = 0; i < 40; ++i)
+        document["materials"]["n" + std::to_string(i)]["texture"] = {
+            {"pattern", "noise"}, {"size", 1}, {"columns", 4096}, {"rows", 4096}, {"octaves", 1}};
+    CHECK_THROWS_WITH(json(document), Contains("makes more than"));
+}
+
 TEST_CASE("json: spheres and planes have no holes, and a warning says so") {
     Json document = round_json({{"pattern", "checker"}});
     document["materials"]["m"]["cutoff"] = 0.5;
