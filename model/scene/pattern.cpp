@@ -91,6 +91,15 @@ TexelLevel painted(const Pattern& p, const std::function<glm::dvec3(const glm::d
 
 }   // namespace
 
+std::uint64_t painting_bytes(const Pattern& pattern) {
+    const auto area = [](int a, int b) { return std::uint64_t(a) * std::uint64_t(b); };
+    std::uint64_t bytes = 2 * sizeof(TexelLevel::texels[0]) * area(pattern.width, pattern.height);
+    if (pattern.kind == Pattern::Kind::noise)
+        for (int k = 0; k < pattern.octaves; ++k)
+            bytes += sizeof(double) * area(pattern.columns << k, pattern.rows << k);
+    return bytes;
+}
+
 TexelLevel texels_of(const Pattern& pattern) {
     switch (pattern.kind) {
         case Pattern::Kind::checker:

@@ -33,6 +33,10 @@ constexpr int most_octaves = 8;
 /// The largest number of columns or rows. For noise: in its last octave.
 constexpr int most_cells = most_texture_side;
 
+/// Returns the memory in bytes that texture_of() takes: the texels of all levels, and the random values of
+/// noise.
+std::uint64_t painting_bytes(const Pattern& pattern);
+
 /// Returns the texels of a pattern. All are opaque.
 TexelLevel texels_of(const Pattern& pattern);
 

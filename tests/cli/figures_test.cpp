@@ -219,11 +219,11 @@ TEST_CASE("the page of textures has every filter and format, and the same cycles
     const Folder folder;
     const Outcome outcome =
         run_program({"study", "textures", "-o", folder.name("page"), "--size", "48x36", "--scenes",
-                     "room,scenes/street.json", "--json", folder.name("t.json")});
+                     "room,scenes/street.json,scenes/globe.json", "--json", folder.name("t.json")});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     const json scenes = json::parse(bytes_of(folder.name("t.json")))["scenes"];
-    REQUIRE(scenes.size() == 2);
+    REQUIRE(scenes.size() == 3);
     for (const json& scene : scenes) {
         INFO(scene["scene"]);
         REQUIRE(scene["rows"].size() == 9);

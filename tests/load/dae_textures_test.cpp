@@ -2,12 +2,7 @@
 // expected values follow from the standard's text.
 #include <catch2/catch.hpp>
 
-#include <cmath>
-
-#include <glm/geometric.hpp>
-
-#include "sim/files/image/image.hpp"
-#include "tests/support/scenes/scene_files.hpp"
+#include "tests/load/textured_scenes.hpp"
 
 namespace rayclock::test::dae_textures_test {
 
@@ -16,20 +11,6 @@ using namespace rayclock::test;
 using Catch::Contains;
 
 namespace {
-
-using Notes = std::vector<std::string>;
-
-struct Read {
-    Scene scene;
-    Notes notes;
-
-    const Material& material(std::size_t triangle = 0) const {
-        return scene.materials[scene.triangles[triangle].material];
-    }
-    const Texture& texture(std::size_t triangle = 0) const {
-        return scene.textures.at(material(triangle).texture.value());
-    }
-};
 
 /// The parts of a document. Its mesh is the square with the corners (0, 0) to (1, 1) and has two sets of
 /// coordinates: the corner's place, and a quarter of this place.
@@ -80,44 +61,20 @@ struct Document {
     }
 };
 
-/// White, red, green and blue.
-std::string picture() { return png_bytes({{2, 2}, {{1, 1, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}); }
-
-Read read_text(const Folder& folder, const std::string& text, Textures textures = Textures::drawn) {
-    folder.write("p.png", picture());
-    Read made;
-    made.scene = load_scene(folder.write("a.dae", text), {}, Primitives::triangles, &made.notes, textures);
-    return made;
+LoadedScene read_text(const Folder& folder, const std::string& text, Textures textures = Textures::drawn) {
+    folder.write("p.png", four_texels());
+    return read_scene(folder.write("a.dae", text), textures);
 }
-Read read(const Document& document, Textures textures = Textures::drawn) {
+LoadedScene read(const Document& document, Textures textures = Textures::drawn) {
     const Folder folder;
     return read_text(folder, document.text(), textures);
 }
-std::string refusal(const Document& document) {
-    const Folder folder;
-    folder.write("p.png", picture());
-    const std::string said = complaint(folder.write("a.dae", document.text()));
-    CHECK(said.find('\n') == said.npos);
-    return said;
-}
-
-/// Requires that each corner has the coordinates (x, 1 - y) * scale + offset for its place (x, y): t
-/// increases upwards in the file and downwards in the scene.
-void check_coordinates(const Scene& scene, double scale = 1) {
-    REQUIRE(scene.coordinates.size() == scene.triangles.size());
-    const std::vector<Corners> corners = corners_of(scene);
-    for (std::size_t i = 0; i < corners.size(); ++i)
-        for (std::size_t k = 0; k < 3; ++k) {
-            CAPTURE(i, k);
-            const glm::dvec2 wanted(scale * corners[i][k].x, 1 - scale * corners[i][k].y);
-            CHECK(glm::length(scene.coordinates[i][k] - wanted) < 1e-6);
-        }
-}
+std::string refusal(const Document& document) { return refusal_of("a.dae", document.text()); }
 
 }   // namespace
 
 TEST_CASE("dae: a picture by its sampler and surface replaces the diffuse colour, and t increases upwards") {
-    const Read made = read({});
+    const LoadedScene made = read({});
     CHECK(made.notes.empty());
     CHECK(made.material().colour == glm::dvec3(1));
     check_coordinates(made.scene);
@@ -145,13 +102,13 @@ TEST_CASE("dae: a picture without a surface, as in 1.5, and a picture that the t
 TEST_CASE("dae: names of pictures are URIs, and absolute names mean files next to the document") {
     Document document;
     const Folder folder;
-    folder.write("my wood.png", picture());
+    folder.write("my wood.png", four_texels());
     for (const char* name :
          {"my%20wood.png", "file:///home/me/my%20wood.png", "file://C:/Users/me/my wood.png",
           "C:\\Users\\me\\my wood.png", "/home/me/MY WOOD.PNG", "File:my%20wood.png"}) {
         INFO(name);
         document.images = "<image id=\"i\"><init_from>\n" + std::string(name) + " </init_from></image>";
-        const Read made = read_text(folder, document.text());
+        const LoadedScene made = read_text(folder, document.text());
         CHECK(made.notes.empty());
         CHECK(made.material().texture);
     }
@@ -169,7 +126,7 @@ TEST_CASE("dae: the sampler's wrap modes and filters") {
         document.sampler = "<sampler2D><source>surface</source>" + keys + "</sampler2D>";
         return read(document);
     };
-    Read made = sampled("<wrap_s>CLAMP</wrap_s><wrap_t>MIRROR</wrap_t><magfilter>NEAREST</magfilter>");
+    LoadedScene made = sampled("<wrap_s>CLAMP</wrap_s><wrap_t>MIRROR</wrap_t><magfilter>NEAREST</magfilter>");
     CHECK((made.texture().wrap_s == Wrap::clamp && made.texture().wrap_t == Wrap::mirror));
     CHECK(made.texture().nearest);
     CHECK(made.texture().mipmaps);
@@ -199,12 +156,12 @@ TEST_CASE("dae: bind_vertex_input chooses the set of coordinates") {
     document.bind =
         "<bind_vertex_input semantic=\"OTHER\" input_semantic=\"TEXCOORD\" input_set=\"0\"/>"
         "<bind_vertex_input semantic=\"UV\" input_semantic=\"TEXCOORD\" input_set=\"1\"/>";
-    check_coordinates(read(document).scene, 0.25);
+    check_coordinates(read(document).scene, {0.25, 0.25});
     // Without a number it is the set 0.
     document.bind = "<bind_vertex_input semantic=\"UV\" input_semantic=\"TEXCOORD\"/>";
     check_coordinates(read(document).scene);
     document.bind.clear();
-    Read made = read(document);
+    LoadedScene made = read(document);
     check_coordinates(made.scene);
     REQUIRE(made.notes.size() == 1);
     CHECK_THAT(made.notes[0], Contains("1 primitive with several sets of texture coordinates"));
@@ -213,12 +170,12 @@ TEST_CASE("dae: bind_vertex_input chooses the set of coordinates") {
         "<input semantic=\"TEXCOORD\" source=\"#t1\" offset=\"1\" set=\"3\"/>";
     made = read(document);
     CHECK(made.notes.empty());
-    check_coordinates(made.scene, 0.25);
+    check_coordinates(made.scene, {0.25, 0.25});
 }
 
 TEST_CASE("dae: two copies of a mesh can show different sets of coordinates") {
     const Folder folder;
-    const Read made = read_text(
+    const LoadedScene made = read_text(
         folder,
         Document{}.text(Document::instance("<bind_vertex_input semantic=\"UV\" input_semantic=\"TEXCOORD\" "
                                            "input_set=\"1\"/>") +
@@ -235,7 +192,7 @@ TEST_CASE("dae: coordinates of polygons, strips, fans, vertices, and sources wit
     const auto check = [&](const std::string& primitive, const std::string& lists, std::size_t triangles) {
         INFO(primitive);
         document.primitive = primitive, document.lists = lists;
-        const Read made = read(document);
+        const LoadedScene made = read(document);
         CHECK(made.scene.triangles.size() == triangles);
         CHECK(made.notes.empty());
         check_coordinates(made.scene);
@@ -267,7 +224,7 @@ TEST_CASE("dae: without coordinates, or with a missing set, the average colour i
     Document document;
     document.bind = "<bind_vertex_input semantic=\"UV\" input_semantic=\"TEXCOORD\" input_set=\"7\"/>";
     for (int i = 0; i < 2; ++i) {
-        const Read made = read(document);
+        const LoadedScene made = read(document);
         CHECK_FALSE(made.material().texture);
         CHECK(made.scene.coordinates.empty());
         CHECK(glm::length(made.material().colour - glm::dvec3(0.5)) < 1e-12);
@@ -280,7 +237,7 @@ TEST_CASE("dae: without coordinates, or with a missing set, the average colour i
 }
 
 TEST_CASE("dae: --no-textures draws the average colour") {
-    const Read made = read({}, Textures::averaged);
+    const LoadedScene made = read({}, Textures::averaged);
     CHECK(made.scene.textures.empty());
     CHECK(made.scene.coordinates.empty());
     CHECK(glm::length(made.material().colour - glm::dvec3(0.5)) < 1e-6);
@@ -293,13 +250,13 @@ TEST_CASE("dae: a picture that is missing or cut off leaves a grey surface and o
     const Folder folder;
     Document document;
     document.images = "<image id=\"i\"><init_from>none.png</init_from></image>";
-    Read made = read_text(folder, document.text());
+    LoadedScene made = read_text(folder, document.text());
     CHECK(made.notes == Notes{folder.name("a.dae") + ": a picture is not drawn: " + folder.name("none.png") +
                               ": there is no such file"});
     CHECK(glm::length(made.material().colour - glm::dvec3(0.8)) < 1e-6);
     CHECK(made.scene.textures.empty());
     CHECK(read_text(folder, document.text(), Textures::averaged).notes == made.notes);
-    folder.write("cut.png", picture().substr(0, 60));
+    folder.write("cut.png", four_texels().substr(0, 60));
     document.images = "<image id=\"i\"><init_from>cut.png</init_from></image>";
     made = read_text(folder, document.text());
     REQUIRE(made.notes.size() == 1);
@@ -349,7 +306,7 @@ TEST_CASE("dae: wrong coordinates are refused with their line, if a picture need
 
 TEST_CASE("dae: every changed byte of a file with a picture loads or is refused") {
     const Folder folder;
-    folder.write("p.png", picture());
+    folder.write("p.png", four_texels());
     const std::string sound = Document{}.text();
     std::size_t drawn = 0, refused = 0;
     for (std::size_t i = 0; i < sound.size(); i += 3) {
@@ -368,7 +325,7 @@ TEST_CASE("dae: other textures are left out with a note") {
     document.shader =
         "<phong><diffuse><texture texture=\"sampler\" texcoord=\"UV\"/></diffuse><transparent>"
         "<texture texture=\"sampler\" texcoord=\"UV\"/></transparent></phong>";
-    const Read made = read(document);
+    const LoadedScene made = read(document);
     CHECK(made.material().texture);
     CHECK(made.material().transmit == 0);
     REQUIRE(made.notes.size() == 1);

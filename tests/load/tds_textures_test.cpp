@@ -1,13 +1,11 @@
 // Pictures of 3DS: their chunks, placement and coordinates. Four formats show one picture in the same way.
 #include <catch2/catch.hpp>
 
-#include <cmath>
 #include <limits>
 
-#include <glm/geometric.hpp>
+#include <glm/common.hpp>
 
-#include "sim/files/image/image.hpp"
-#include "tests/support/scenes/scene_files.hpp"
+#include "tests/load/textured_scenes.hpp"
 
 namespace rayclock::test::tds_textures_test {
 
@@ -16,21 +14,6 @@ using namespace rayclock::test;
 using Catch::Contains;
 
 namespace {
-
-using Notes = std::vector<std::string>;
-
-struct Read {
-    Scene scene;
-    Notes notes;
-
-    const Material& material(std::size_t triangle = 0) const {
-        return scene.materials[scene.triangles[triangle].material];
-    }
-    const Texture& texture() const { return scene.textures.at(material().texture.value()); }
-};
-
-/// White, red, green and blue.
-std::string picture() { return png_bytes({{2, 2}, {{1, 1, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}); }
 
 std::string word(int value) { return raw(static_cast<std::uint16_t>(value)); }
 
@@ -59,38 +42,17 @@ std::string tds(const std::string& maps, const Points& coordinates = square) {
                  chunk(0x3d3d, chunk(0x4000, std::string("box\0", 4) + chunk(0x4100, mesh)) + material));
 }
 
-Read read(const Folder& folder, const std::string& bytes, Textures textures = Textures::drawn) {
-    folder.write("p.png", picture());
-    Read made;
-    made.scene = load_scene(folder.write("a.3ds", bytes), {}, Primitives::triangles, &made.notes, textures);
-    return made;
+LoadedScene read(const Folder& folder, const std::string& bytes, Textures textures = Textures::drawn) {
+    folder.write("p.png", four_texels());
+    return read_scene(folder.write("a.3ds", bytes), textures);
 }
-std::string refusal(const std::string& bytes) {
-    const Folder folder;
-    folder.write("p.png", picture());
-    const std::string said = complaint(folder.write("a.3ds", bytes));
-    CHECK(said.find('\n') == said.npos);
-    return said;
-}
-
-/// Requires the coordinates (x, y) * scale + offset of each corner's place, before t is inverted.
-void check_coordinates(const Scene& scene, const glm::dvec2& scale = glm::dvec2(1),
-                       const glm::dvec2& offset = glm::dvec2(0)) {
-    REQUIRE(scene.coordinates.size() == scene.triangles.size());
-    const std::vector<Corners> corners = corners_of(scene);
-    for (std::size_t i = 0; i < corners.size(); ++i)
-        for (std::size_t k = 0; k < 3; ++k) {
-            CAPTURE(i, k);
-            const glm::dvec2 given = glm::dvec2(corners[i][k]) * scale + offset;
-            CHECK(glm::length(scene.coordinates[i][k] - glm::dvec2(given.x, 1 - given.y)) < 1e-6);
-        }
-}
+std::string refusal(const std::string& bytes) { return refusal_of("a.3ds", bytes); }
 
 }   // namespace
 
 TEST_CASE("3ds: a picture replaces the diffuse colour, and t increases upwards") {
     const Folder folder;
-    const Read made = read(folder, tds(map_of("P.PNG", chunk(0x0030, word(100)))));
+    const LoadedScene made = read(folder, tds(map_of("P.PNG", chunk(0x0030, word(100)))));
     CHECK(made.notes.empty());   // the case of names does not matter
     CHECK(made.material().colour == glm::dvec3(1));
     CHECK((made.texture().wrap_s == Wrap::repeat && made.texture().wrap_t == Wrap::repeat));
@@ -102,7 +64,7 @@ TEST_CASE("3ds: a picture replaces the diffuse colour, and t increases upwards")
 TEST_CASE("3ds: scale, offset and tiling of a picture") {
     const Folder folder;
     // The shift into the first period removes whole offsets, so these are fractions.
-    Read made =
+    LoadedScene made =
         read(folder, tds(map_of("p.png", chunk(0xa354, raw(0.5f)) + chunk(0xa356, raw(0.25f)) +
                                              chunk(0xa358, raw(0.125f)) + chunk(0xa35a, raw(0.25f)))));
     check_coordinates(made.scene, {0.5, 0.25}, {0.125, 0.25});
@@ -124,7 +86,7 @@ TEST_CASE("3ds: scale, offset and tiling of a picture") {
 
 TEST_CASE("3ds: missing pictures, missing coordinates, and --no-textures") {
     const Folder folder;
-    Read made = read(folder, tds(map_of("none.png")));
+    LoadedScene made = read(folder, tds(map_of("none.png")));
     CHECK(made.notes == Notes{folder.name("a.3ds") + ": a picture is not drawn: " + folder.name("none.png") +
                               ": there is no such file"});
     CHECK(made.material().colour.r == Approx(128 / 255.0));
@@ -164,7 +126,7 @@ TEST_CASE("3ds: wrong coordinates are refused, if a picture needs them") {
 
 TEST_CASE("3ds: every changed byte of a file with a picture loads or is refused") {
     const Folder folder;
-    folder.write("p.png", picture());
+    folder.write("p.png", four_texels());
     const std::string sound = tds(map_of("p.png", chunk(0xa351, word(2)) + chunk(0xa354, raw(0.5f))));
     std::size_t drawn = 0, refused = 0;
     for (std::size_t i = 0; i < 8 * sound.size(); i += 5) {
@@ -180,7 +142,7 @@ TEST_CASE("3ds: every changed byte of a file with a picture loads or is refused"
 
 TEST_CASE("obj, gltf, dae and 3ds show the corners of a picture at the same places") {
     const Folder folder;
-    folder.write("p.png", picture());
+    folder.write("p.png", four_texels());
     folder.write("a.mtl", "newmtl a\nmap_Kd p.png\n");
     const std::string obj =
         "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"

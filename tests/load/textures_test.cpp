@@ -11,9 +11,8 @@
 
 #include "model/scene/placed.hpp"
 #include "sim/files/image/average.hpp"
-#include "sim/files/image/image.hpp"
+#include "tests/load/textured_scenes.hpp"
 #include "tests/support/scenes/picture_files.hpp"
-#include "tests/support/scenes/scene_files.hpp"
 
 namespace rayclock::test::textures_test {
 
@@ -24,39 +23,16 @@ using Json = nlohmann::json;
 
 namespace {
 
-using Notes = std::vector<std::string>;
-
-struct Read {
-    Scene scene;
-    Notes notes;
-
-    const Texture& texture(std::size_t triangle = 0) const {
-        return scene.textures.at(scene.materials[scene.triangles[triangle].material].texture.value());
-    }
-    const Material& material(std::size_t triangle = 0) const {
-        return scene.materials[scene.triangles[triangle].material];
-    }
-};
-
-Read read(const std::string& spec, Textures textures = Textures::drawn) {
-    Read made;
-    made.scene = load_scene(spec, {}, Primitives::triangles, &made.notes, textures);
-    return made;
-}
-
-/// A picture of 2 x 2 pixels: white, red, green, blue.
-std::string picture() { return png_bytes({{2, 2}, {{1, 1, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}); }
-
 const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 const std::string painted_face =
     "mtllib a.mtl\n" + corners + "vt 0 0\nvt 1 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3\n";
 
 /// An OBJ file with its MTL file and the picture p.png.
-Read obj(const Folder& folder, const std::string& mtl, const std::string& text = painted_face,
-         Textures textures = Textures::drawn) {
-    folder.write("p.png", picture());
+LoadedScene obj(const Folder& folder, const std::string& mtl, const std::string& text = painted_face,
+                Textures textures = Textures::drawn) {
+    folder.write("p.png", four_texels());
     folder.write("a.mtl", "newmtl a\nKd 0.5 0.5 0.5\n" + mtl);
-    return read(folder.write("a.obj", text), textures);
+    return read_scene(folder.write("a.obj", text), textures);
 }
 
 std::string obj_complaint(const std::string& text, const std::string& mtl = "map_Kd p.png\n") {
@@ -86,7 +62,7 @@ Json triangle_gltf() {
     Json json{
         {"asset", {{"version", "2.0"}}},
         {"buffers", {{{"byteLength", bytes.size()}, {"uri", "data:;base64," + base64(bytes)}}}},
-        {"images", {{{"uri", "data:image/png;base64," + base64(picture())}}}},
+        {"images", {{{"uri", "data:image/png;base64," + base64(four_texels())}}}},
         {"textures", {{{"source", 0}}}},
         {"materials",
          {{{"pbrMetallicRoughness",
@@ -107,9 +83,9 @@ Json triangle_gltf() {
 
 Json& base_texture(Json& json) { return json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]; }
 
-Read gltf(const Json& json, Textures textures = Textures::drawn) {
+LoadedScene gltf(const Json& json, Textures textures = Textures::drawn) {
     const Folder folder;
-    return read(folder.write("a.gltf", json.dump()), textures);
+    return read_scene(folder.write("a.gltf", json.dump()), textures);
 }
 
 Json inline_json() {
@@ -122,11 +98,11 @@ Json inline_json() {
             {"objects", {{{"mesh", "t"}, {"material", "m"}}}}};
 }
 
-Read json(const Json& document, Textures textures = Textures::drawn) {
+LoadedScene json(const Json& document, Textures textures = Textures::drawn) {
     const Folder folder;
-    folder.write("p.png", picture());
+    folder.write("p.png", four_texels());
     folder.write("flat.obj", corners + "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
-    return read(folder.write("a.json", document.dump()), textures);
+    return read_scene(folder.write("a.json", document.dump()), textures);
 }
 
 std::string json_complaint(const Json& document) {
@@ -166,8 +142,8 @@ TEST_CASE("json: --no-textures reads every format that is drawn") {
         Json document = inline_json();
         document["materials"]["m"]["texture"] = name;
         const std::string file = folder.write("a.json", document.dump());
-        CHECK(read(file).scene.textures.size() == 1);
-        CHECK(read(file, Textures::averaged).material().colour.r == Approx(0.5).epsilon(1e-3));
+        CHECK(read_scene(file).scene.textures.size() == 1);
+        CHECK(read_scene(file, Textures::averaged).material().colour.r == Approx(0.5).epsilon(1e-3));
     }
 }
 
@@ -202,9 +178,9 @@ TEST_CASE("pictures of every depth become codes of 8 bits") {
     CHECK(refusal(1, 16385) == "1x16385 texels are too many");
 }
 
-TEST_CASE("obj: map_Kd multiplies the colour, and v counts up") {
+TEST_CASE("obj: map_Kd multiplies the colour, and v increases upwards") {
     const Folder folder;
-    const Read made = obj(folder, "map_Kd p.png\n");
+    const LoadedScene made = obj(folder, "map_Kd p.png\n");
     CHECK(made.notes.empty());
     CHECK(made.material().colour == glm::dvec3(0.5));
     check_near(made.scene.coordinates.at(0), {{{0, 1}, {1, 1}, {0, 0}}});
@@ -222,21 +198,21 @@ TEST_CASE("obj: map_Kd multiplies the colour, and v counts up") {
 
 TEST_CASE("obj: the options of map_Kd, and names with blanks") {
     const Folder folder;
-    const Read made = obj(folder, "map_Kd -s 2 4 1 -o 0.25 0.5 -clamp on -bm 1 -blendu off p.png\n");
+    const LoadedScene made = obj(folder, "map_Kd -s 2 4 1 -o 0.25 0.5 -clamp on -bm 1 -blendu off p.png\n");
     // s = 2 u + 0.25, t = 1 - (4 v + 0.5)
     check_near(made.scene.coordinates.at(0), {{{0.25, 0.5}, {2.25, 0.5}, {0.25, -3.5}}});
     CHECK(made.texture().wrap_t == Wrap::clamp);
     CHECK(made.notes == Notes{folder.name("a.obj") + ": 2 options of map_Kd ignored (the first: '-bm')"});
-    folder.write("my wood.png", picture());
+    folder.write("my wood.png", four_texels());
     CHECK(obj(folder, "map_Kd -s 1 1 1 my wood.png\n").texture().name == "my wood.png");
-    folder.write("sub.png", picture());
+    folder.write("sub.png", four_texels());
     CHECK(obj(folder, "map_Kd .\\sub.png\nmap_bump p.png\n").notes ==
           Notes{folder.name("a.obj") + ": 1 material with other textures, which are not drawn ('a')"});
 }
 
 TEST_CASE("obj: a missing, foreign or cut picture leaves the material's colour") {
     const Folder folder;
-    Read made = obj(folder, "map_Kd none.png\n");
+    LoadedScene made = obj(folder, "map_Kd none.png\n");
     CHECK(made.notes == Notes{folder.name("a.obj") + ": a picture is not drawn: " + folder.name("none.png") +
                               ": there is no such file"});
     CHECK(made.material().colour == glm::dvec3(0.5));
@@ -247,7 +223,7 @@ TEST_CASE("obj: a missing, foreign or cut picture leaves the material's colour")
     REQUIRE(made.notes.size() == 1);
     CHECK_THAT(made.notes[0],
                Contains("a.obj: the picture ") && Contains("odd.png is not drawn: it is not PNG"));
-    folder.write("cut.png", picture().substr(0, picture().size() - 30));
+    folder.write("cut.png", four_texels().substr(0, four_texels().size() - 30));
     made = obj(folder, "map_Kd cut.png\n");
     REQUIRE(made.notes.size() == 1);
     CHECK_THAT(made.notes[0], Contains("cut.png is not drawn"));
@@ -255,7 +231,7 @@ TEST_CASE("obj: a missing, foreign or cut picture leaves the material's colour")
 
 TEST_CASE("obj: faces without coordinates have the average colour") {
     const Folder folder;
-    const Read made = obj(folder, "map_Kd p.png\n", painted_face + "f 1 2 3\nf 1/9 2/2 3/3\n");
+    const LoadedScene made = obj(folder, "map_Kd p.png\n", painted_face + "f 1 2 3\nf 1/9 2/2 3/3\n");
     REQUIRE(made.scene.triangles.size() == 3);
     CHECK(made.material(0).texture);
     CHECK_FALSE(made.material(1).texture);
@@ -269,7 +245,7 @@ TEST_CASE("obj: faces without coordinates have the average colour") {
 
 TEST_CASE("obj: --no-textures draws the material's colour, and reads no picture") {
     const Folder folder;
-    const Read made = obj(folder, "map_Kd p.png\n", painted_face, Textures::averaged);
+    const LoadedScene made = obj(folder, "map_Kd p.png\n", painted_face, Textures::averaged);
     CHECK(made.material().colour == glm::dvec3(0.5));
     CHECK(made.scene.coordinates.empty());
     CHECK(made.notes ==
@@ -293,7 +269,7 @@ TEST_CASE("obj: coordinates that cannot be drawn are refused where a picture nee
 
 TEST_CASE("gltf: the base colour's texture is drawn with its coordinates and sampler") {
     Json document = triangle_gltf();
-    Read made = gltf(document);
+    LoadedScene made = gltf(document);
     CHECK(made.notes.empty());
     CHECK(made.material().colour == glm::dvec3(1, 1, 0.5));
     check_near(made.scene.coordinates.at(0), {{{0, 0}, {1, 0}, {0, 1}}});
@@ -341,7 +317,7 @@ TEST_CASE("gltf: wrong coordinates are refused, and missing ones give the averag
     CHECK_THROWS_WITH(gltf(document), Contains("accessors[1]") && Contains("the most is 64"));
     document = triangle_gltf();
     base_texture(document)["texCoord"] = 2;
-    const Read made = gltf(document);
+    const LoadedScene made = gltf(document);
     CHECK(made.scene.coordinates.empty());
     REQUIRE(made.notes.size() == 1);
     CHECK_THAT(made.notes[0], Contains("1 triangle with a texture and without texture coordinates"));
@@ -349,7 +325,7 @@ TEST_CASE("gltf: wrong coordinates are refused, and missing ones give the averag
 }
 
 TEST_CASE("gltf: --no-textures draws the average colour with the old message") {
-    const Read made = gltf(triangle_gltf(), Textures::averaged);
+    const LoadedScene made = gltf(triangle_gltf(), Textures::averaged);
     CHECK(made.scene.textures.empty());
     CHECK(made.scene.coordinates.empty());
     CHECK(glm::length(made.material().colour - glm::dvec3(0.5, 0.5, 0.25)) < 1e-6);
@@ -361,7 +337,7 @@ TEST_CASE("gltf: --no-textures draws the average colour with the old message") {
 TEST_CASE("gltf: instances share the coordinates of their mesh") {
     Json document = triangle_gltf();
     document["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}, {"scale", {-1, 1, 1}}}};
-    const Read made = gltf(document);
+    const LoadedScene made = gltf(document);
     REQUIRE(made.scene.placed);
     CHECK(made.scene.placed->meshes.at(0).coordinates.size() == 1);
     REQUIRE(made.scene.coordinates.size() == 2);
@@ -370,7 +346,7 @@ TEST_CASE("gltf: instances share the coordinates of their mesh") {
 }
 
 TEST_CASE("json: a material's texture, in short and with all keys") {
-    Read made = json(inline_json());
+    LoadedScene made = json(inline_json());
     CHECK(made.notes.empty());
     CHECK(made.material().colour == glm::dvec3(1, 0.5, 1));
     check_near(made.scene.coordinates.at(0), {{{0, 1}, {1, 1}, {0, 0}}});
@@ -387,7 +363,7 @@ TEST_CASE("json: a material's texture, in short and with all keys") {
     made = json(document);
     REQUIRE(made.scene.coordinates.size() == 2);
     check_near(made.scene.coordinates[1], {{{0, 1}, {1, 1}, {0, 0}}});
-    const Read plain = json(inline_json(), Textures::averaged);
+    const LoadedScene plain = json(inline_json(), Textures::averaged);
     CHECK(plain.scene.coordinates.empty());
     CHECK(glm::length(plain.material().colour - glm::dvec3(0.5, 0.25, 0.5)) < 1e-6);
 }
@@ -398,7 +374,7 @@ TEST_CASE("json: spheres and planes show their pictures, and meshes without coor
     document["planes"] = {{{"point", {0, 0, 0}}, {"u", {1, 0, 0}}, {"v", {0, 0, 1}}, {"material", "m"}}};
     document["meshes"]["o"] = {{"builtin", "icosphere:1"}};
     document["objects"].push_back({{"mesh", "o"}, {"material", "m"}, {"instances", {Json::object()}}});
-    const Read made = json(document);
+    const LoadedScene made = json(document);
     const Scene& scene = made.scene;
     CHECK(scene.materials[scene.triangles[0].material].texture);
     const Material& plain = scene.materials[scene.triangles[1].material];
@@ -516,10 +492,18 @@ TEST_CASE("json: a pattern with a fault is refused in one sentence") {
     CHECK_THROWS_WITH(json(document), Contains("must be 3 points [s, t], at point, point + u and point + v"));
 }
 
+TEST_CASE("json: the random values of noise count as memory that a file makes") {
+    Json document = round_json({{"pattern", "checker"}});
+    for (int i = 0; i < 40; ++i)
+        document["materials"]["n" + std::to_string(i)]["texture"] = {
+            {"pattern", "noise"}, {"size", 1}, {"columns", 4096}, {"rows", 4096}, {"octaves", 1}};
+    CHECK_THROWS_WITH(json(document), Contains("makes more than"));
+}
+
 TEST_CASE("json: spheres and planes have no holes, and a warning says so") {
     Json document = round_json({{"pattern", "checker"}});
     document["materials"]["m"]["cutoff"] = 0.5;
-    const Read made = json(document);
+    const LoadedScene made = json(document);
     REQUIRE(made.notes.size() == 2);
     CHECK_THAT(made.notes[0], Contains("without holes"));
 }
@@ -528,7 +512,7 @@ TEST_CASE("json: the room as a mesh keeps its textures, in their own numbering")
     Json document = inline_json();
     document["meshes"]["room"] = {{"builtin", "room"}};
     document["objects"].push_back({{"mesh", "room"}});
-    const Read made = json(document);
+    const LoadedScene made = json(document);
     CHECK(made.scene.textures.size() == 7);
     CHECK(made.texture(0).name == "p.png");
     CHECK(made.texture(1).name == "tiles");
@@ -565,12 +549,12 @@ TEST_CASE("json: wrong textures are named by their path") {
 TEST_CASE("pictures of odd sizes are resampled, with a note if they shrink") {
     const Folder folder;
     folder.write("p3.png", png_bytes({{3, 5}, std::vector<glm::vec3>(15, glm::vec3(1))}));
-    const Read made = obj(folder, "map_Kd p3.png\n");
+    const LoadedScene made = obj(folder, "map_Kd p3.png\n");
     CHECK(made.notes.empty());
     CHECK(made.texture().pyramid->levels[0].width == 4);
     CHECK(made.texture().pyramid->levels[0].height == 4);
     folder.write("wide.png", png_bytes({{5000, 1}, std::vector<glm::vec3>(5000, glm::vec3(1))}));
-    const Read wide = obj(folder, "map_Kd wide.png\n");
+    const LoadedScene wide = obj(folder, "map_Kd wide.png\n");
     REQUIRE(wide.notes.size() == 1);
     CHECK_THAT(wide.notes[0], Contains("wide.png has 5000 x 1 texels, drawn with 4096 x 1"));
 }

@@ -117,3 +117,39 @@ TEST_CASE("each ray of a pixel has its purpose and its parent") {
         CHECK(rays[i].depth == parent.depth + (rays[i].purpose != RayPurpose::shadow));
     }
 }
+
+TEST_CASE("each ray of a pixel with holes has its purpose and its parent, and its stays have no gap") {
+    const Watched w{"room", {}, true};
+    const Watching made = watching(w, {24, 18});
+    REQUIRE(made.job.config.has_textures());
+    int continued = 0, sent_again = 0;
+    for (std::uint32_t pixel = 0; pixel < 24 * 18; ++pixel) {
+        INFO("pixel " << pixel);
+        const std::vector<RayValues> rays =
+            rays_of_pixel(made.job.image, made.traces[0].frame, made.job.config, pixel % 24, pixel / 24);
+        CHECK(rays.at(0).parent == -1);
+        for (std::size_t i = 1; i < rays.size(); ++i) {
+            INFO("ray " << i);
+            REQUIRE(rays[i].parent >= 0);
+            REQUIRE(std::size_t(rays[i].parent) < i);
+            const RayValues& parent = rays[std::size_t(rays[i].parent)];
+            CHECK(parent.hit.found);
+            CHECK(parent.purpose != RayPurpose::shadow);
+            const bool is_shadow = ends_at_any(rays[i].ray.kind);
+            CHECK((rays[i].purpose == RayPurpose::shadow) == is_shadow);
+            const bool goes_on = !is_shadow && rays[i].depth == parent.depth;
+            if (goes_on) CHECK((rays[i].purpose == RayPurpose::refraction && rays[i].ray.d == parent.ray.d));
+            CHECK(rays[i].depth == parent.depth + (is_shadow || goes_on ? 0 : 1));
+            continued += goes_on;
+            if (rays[i].ray.holes == 0) continue;
+            // The same ray as the one before it, which has met a cut-out.
+            const RayValues& before = rays[i - 1];
+            CHECK((rays[i].ray.o == before.ray.o && rays[i].ray.d == before.ray.d));
+            CHECK((rays[i].ray.holes == before.ray.holes + 1 && before.hit.cutout != 0));
+            CHECK((rays[i].parent == before.parent && rays[i].purpose == before.purpose));
+            ++sent_again;
+        }
+        if (pixel % 7 == 0) check_story(story_of(made, w, pixel));
+    }
+    CHECK((continued > 10 && sent_again > 10));
+}

@@ -2,12 +2,9 @@
 // differs from the reference has a cause.
 #include <catch2/catch.hpp>
 
-#include "model/engine/check.hpp"
-#include "model/machine/machine.hpp"
-#include "sim/judge/cause/finished.hpp"
 #include "sim/judge/reference/holes.hpp"
 #include "sim/load/load.hpp"
-#include "tests/support/machine/frames.hpp"
+#include "tests/support/machine/textured_pictures.hpp"
 #include "tests/support/scenes/foliage.hpp"
 
 namespace rayclock::test::foliage_test {
@@ -15,71 +12,32 @@ namespace rayclock::test::foliage_test {
 using namespace rayclock;
 using namespace rayclock::test;
 
-namespace {
-
-Config fitted(const Scene& scene, const Whitted& settings, const std::string& structure, int levels,
-              TexelFormat texels) {
-    Config c = named_config("default");
-    set_parameter(c, "structure", structure, "test");
-    c.levels = levels, c.texels = texels, c.stack_depth = 64;
-    c = fitted_config(scene, settings, c);
-    check_config(c, "test");
-    return c;
-}
-
-/// Judges a picture of the model, and replays it. Returns its trace.
-Trace check_picture(const Scene& scene, FrameSize size, const Whitted& settings, const Config& config) {
-    REQUIRE(config.has_textures());
-    const Job job = make_job(scene, *scene.camera, size, config, {}, settings);
-    RecordedFrame made = record_frame(job, job.frame);
-    const WhittedFrame reference = Reference(scene).whitted(*scene.camera, size, settings);
-    const MachineOutput given{made.trace.hits, made.trace.colours, made.trace.signatures};
-    const Judgement j =
-        judge_finished({scene, *scene.camera, made.frame, job.image.lattice, job.config}, job.image, settings,
-                       {reference, picture_from_colours(size, made.trace.colours), given},
-                       scaled(job, job.frame, made.trace.hits));
-    for (const PictureFault& f : j.faults) FAIL_CHECK("pixel (" << f.x << ", " << f.y << "): " << f.what);
-    CHECK(j.wrong == 0);
-    CHECK(j.bugs() == 0);
-    CHECK(j.colours == std::uint64_t(size.width * size.height));
-    CHECK(j.rays.shadow > std::uint64_t(size.width * size.height / 3));
-    std::vector<RecordedFrame> frames;
-    frames.push_back(std::move(made));
-    Machine machine(job.config, job.khz, {});
-    prepare_frame(machine, 0, std::span(std::as_const(frames)));
-    machine.start(frames[0].frame, frames[0].trace);
-    std::uint64_t cycles = 0;
-    while (!machine.done() && ++cycles < 4'000'000) machine.step();
-    CHECK(machine.done());
-    return std::move(frames[0].trace);
-}
-
-}   // namespace
-
 TEST_CASE("light passes through the holes of leaves in every structure", "[textures][hole][foliage]") {
-    const std::string structure = GENERATE("bvh", "kd", "bsp", "octree", "bih", "spheres", "none");
+    std::vector<Structure> structures = tree_structures();
+    structures.push_back(Structure::none);
+    const Structure structure = GENERATE_REF(from_range(structures));
     for (unsigned seed = 1; seed <= 3; ++seed) {
-        INFO(structure << ", seed " << seed);
+        INFO(name_of(structure) << ", seed " << seed);
         Foliage foliage(seed);
         const Scene scene = load_scene(foliage.file(12, seed != 2, false));
         const Whitted settings{.depth = 1};
-        check_picture(
-            scene, {40, 30}, settings,
-            fitted(scene, settings, structure, 1, seed == 3 ? TexelFormat::rgb565 : TexelFormat::rgb888));
+        check_picture(scene, {40, 30}, settings,
+                      fitted_chip(scene, settings, 1, seed == 3 ? TexelFormat::rgb565 : TexelFormat::rgb888,
+                                  structure));
     }
 }
 
 TEST_CASE("light passes through the holes of leaves that are instances",
           "[textures][hole][foliage][levels]") {
-    const std::string structure = GENERATE("bvh", "kd");
+    const Structure structure = GENERATE(Structure::bvh, Structure::kd);
     for (unsigned seed = 1; seed <= 4; ++seed) {
-        INFO(structure << ", seed " << seed);
+        INFO(name_of(structure) << ", seed " << seed);
         Foliage foliage(seed);
         const Scene scene = load_scene(foliage.file(14, false, true));
         const Whitted settings{.depth = 2, .aa = seed == 4 ? 2 : 1};
-        check_picture(
-            scene, {40, 30}, settings,
-            fitted(scene, settings, structure, 2, seed == 3 ? TexelFormat::rgb565 : TexelFormat::rgb888));
+        check_picture(scene, {40, 30}, settings,
+                      fitted_chip(scene, settings, 2, seed == 3 ? TexelFormat::rgb565 : TexelFormat::rgb888,
+                                  structure));
     }
 }
 
@@ -91,8 +49,8 @@ TEST_CASE("light passes through the holes of random leaves", "[textures][hole][f
         const Scene scene = load_scene(foliage.file(4 + int(seed % 20), !has_levels, has_levels));
         const Whitted settings{.depth = 1};
         check_picture(scene, {40, 30}, settings,
-                      fitted(scene, settings, "bvh", has_levels ? 2 : 1,
-                             seed % 3 == 0 ? TexelFormat::rgb565 : TexelFormat::rgb888));
+                      fitted_chip(scene, settings, has_levels ? 2 : 1,
+                                  seed % 3 == 0 ? TexelFormat::rgb565 : TexelFormat::rgb888));
     }
 }
 
@@ -117,7 +75,7 @@ TEST_CASE("a row of leaves hides the light only after 63 holes", "[textures][hol
     const Whitted settings{.depth = 0};
     for (const int levels : {1, 2}) {
         INFO(leaves << " leaves, levels " << levels);
-        const Config config = fitted(scene, settings, "bvh", levels, TexelFormat::rgb888);
+        const Config config = fitted_chip(scene, settings, levels, TexelFormat::rgb888);
         const FrameSize size{8, 6};
         const Trace trace = check_picture(scene, size, settings, config);
         const std::size_t middle = std::size_t(size.width * (size.height / 2) + size.width / 2);

@@ -4,10 +4,10 @@
 
 #include "model/compile/surfaces.hpp"
 #include "model/engine/check.hpp"
-#include "sim/judge/cause/finished.hpp"
 #include "sim/load/load.hpp"
 #include "tests/support/machine/build_all.hpp"
 #include "tests/support/machine/frames.hpp"
+#include "tests/support/machine/textured_pictures.hpp"
 #include "tests/support/scenes/textured_cubes.hpp"
 
 namespace rayclock::test::textured_instances_test {
@@ -16,34 +16,6 @@ using namespace rayclock;
 using namespace rayclock::test;
 
 namespace {
-
-Config fitted(const Scene& scene, const Whitted& settings, int levels, TexelFormat texels) {
-    Config c = named_config("default");
-    c.levels = levels, c.texels = texels;
-    c.stack_depth = 64;
-    c = fitted_config(scene, settings, c);
-    check_config(c, "test");
-    return c;
-}
-
-/// Judges a picture of the model. Returns its trace.
-Trace check_picture(const Scene& scene, FrameSize size, const Whitted& settings, const Config& config) {
-    REQUIRE(config.has_textures());
-    const Job job = make_job(scene, *scene.camera, size, config, {}, settings);
-    RecordedFrame made = record_frame(job, job.frame);
-    const WhittedFrame reference = Reference(scene).whitted(*scene.camera, size, settings);
-    const Picture picture = picture_from_colours(size, made.trace.colours);
-    const MachineOutput given{made.trace.hits, made.trace.colours, made.trace.signatures};
-    const Judgement j =
-        judge_finished({scene, *scene.camera, made.frame, job.image.lattice, job.config}, job.image, settings,
-                       {reference, picture, given}, scaled(job, job.frame, made.trace.hits));
-    for (const PictureFault& f : j.faults) FAIL_CHECK("pixel (" << f.x << ", " << f.y << "): " << f.what);
-    CHECK(j.wrong == 0);
-    CHECK(j.bugs() == 0);
-    CHECK(j.colours == std::uint64_t(size.width * size.height));
-    CHECK(j.rays.shadow > 100);
-    return std::move(made.trace);
-}
 
 /// Returns a chip with two levels. `fast` has fast timing, a pass every eight cycles and short texels.
 Config chip(const Scene& scene, const Whitted& settings, bool is_fast) {
@@ -81,7 +53,8 @@ TEST_CASE("textured instances are right under every kind of map, with one level 
     std::vector<Trace> traces;
     for (const int levels : {1, 2}) {
         INFO((has_holes ? "with holes, levels " : "levels ") << levels);
-        traces.push_back(check_picture(scene, {64, 48}, settings, fitted(scene, settings, levels, texels)));
+        traces.push_back(
+            check_picture(scene, {64, 48}, settings, fitted_chip(scene, settings, levels, texels)));
     }
     // Both pictures show the same scene. Their lattices differ, so a few hits and texture levels may differ.
     std::size_t far_apart = 0;
@@ -96,7 +69,7 @@ TEST_CASE("surfaces behind a texture are visible through its holes", "[textures]
     const TexturedCubes cubes;
     Scene scene = load_scene(cubes.still(true));
     const int levels = GENERATE(1, 2);
-    const Config config = fitted(scene, one_bounce, levels, TexelFormat::rgb888);
+    const Config config = fitted_chip(scene, one_bounce, levels, TexelFormat::rgb888);
     const Job job = make_job(scene, *scene.camera, {48, 36}, config, {}, one_bounce);
     const RecordedFrame made = record_frame(job, job.frame);
     // The chip sends a ray through a hole as a bounce, although no material is a mirror.
@@ -118,7 +91,7 @@ TEST_CASE("model and RTL agree on textured instances with holes", "[textures][le
 TEST_CASE("room is right with short texels", "[textures]") {
     const Scene scene = load_scene("room", {}, Primitives::native);
     const Whitted settings{.depth = 2};
-    check_picture(scene, {64, 48}, settings, fitted(scene, settings, 1, TexelFormat::rgb565));
+    check_picture(scene, {64, 48}, settings, fitted_chip(scene, settings, 1, TexelFormat::rgb565));
 }
 
 }   // namespace rayclock::test::textured_instances_test

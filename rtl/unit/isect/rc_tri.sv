@@ -289,6 +289,7 @@ module rc_tri (
   logic [EdgeBits-1:0] pre_u, pre_v;
   logic [PrimBits-1:0] pre_prim;
   logic                pre_any, pre_cutout, pre_back, pre_u_neg, pre_v_neg;
+  logic [PrimBits+CutoutW:0] in_number, pre_number;
 
   rc_interval_delay #(.Width(NumBits + 3 * EdgeBits + 3), .Stages(Compare), .Every(Interval))
   u_hit_aside (
@@ -299,8 +300,6 @@ module rc_tri (
   rc_interval_delay #(.Width(PrimBits + 1 + CutoutW), .Stages(Pre - In), .Every(Interval)) u_prim (
     .clk_i, .rst_ni, .enable_i(flat_enable[Pre-1:In]), .valid_i(flat[Pre-1:In]),
     .data_i(in_number), .data_o(pre_number));
-
-  logic [PrimBits+CutoutW:0] in_number, pre_number;
 
   if (rc_pkg::HasTextures == 1) begin : gen_cutout
     assign in_number                       = {in_cutout, in.prim, in_any};

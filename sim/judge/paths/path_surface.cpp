@@ -162,8 +162,8 @@ std::optional<TexturedSurface> PathJudge::textured(std::uint32_t primitive) cons
 }
 
 bool PathJudge::has_holes(std::uint32_t primitive) const {
-    const auto triangle = textured(primitive);
-    return triangle && triangle->kind == PrimKind::triangle && triangle->cutoff > 0;
+    return rules_.placed ? rules_.placed->may_have_holes(primitive)
+                         : may_have_holes(rules_.inputs.scene, primitive);
 }
 
 bool PathJudge::is_hole(std::uint32_t primitive, std::uint32_t u, std::uint32_t v) const {

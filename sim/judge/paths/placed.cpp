@@ -313,6 +313,12 @@ std::optional<TexturedSurface> PlacedWorld::textured(std::uint32_t primitive) co
                             primitive - placed.first);
 }
 
+bool PlacedWorld::may_have_holes(std::uint32_t primitive) const {
+    const Placed& placed = instances_[place_of(primitive)];
+    return !placed.material &&
+           rayclock::may_have_holes(classes_[placed.mesh_class].scene, primitive - placed.first);
+}
+
 bool PlacedWorld::holds_normals(std::uint32_t primitive, const Surface& seen) const {
     const Placed& placed = instances_[place_of(primitive)];
     return rayclock::holds_normals(classes_[placed.mesh_class].scene, primitive - placed.first, seen);

@@ -40,6 +40,8 @@ public:
     bool holds_normals(std::uint32_t primitive, const Surface& seen) const;
     /// Returns the primitive in its mesh, if it shows a texture. An instance's own material has none.
     std::optional<TexturedSurface> textured(std::uint32_t primitive) const;
+    /// True if the primitive is a triangle whose texture may have holes.
+    bool may_have_holes(std::uint32_t primitive) const;
     const Plane& plane(std::uint32_t primitive) const;
     bool is_map_of(std::uint32_t place, const Placement& placement) const;
     /// Returns the scene with rounded corners and maps, and no other error. The meshes are in steps of their

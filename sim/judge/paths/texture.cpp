@@ -214,6 +214,12 @@ std::optional<TexturedSurface> textured_surface(const Scene& scene, const Lattic
     return found;
 }
 
+bool may_have_holes(const Scene& scene, std::size_t primitive) {
+    if (primitive >= scene.triangles.size() || scene.coordinates.empty()) return false;
+    const Material& material = material_of(scene, primitive);
+    return material.texture && material.cutoff > 0;
+}
+
 bool is_octahedral(const TexReq& hit, const Vec3i& outwards, const Config& config) {
     const auto size = [&](std::size_t k) { return Int128(outwards[k] < 0 ? -outwards[k] : outwards[k]); };
     const Int128 whole = size(0) + size(1) + size(2) + 1, half = Int128(1) << (config.bary_bits - 1);

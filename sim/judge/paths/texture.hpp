@@ -22,6 +22,9 @@ struct TexturedSurface {
 std::optional<TexturedSurface> textured_surface(const Scene& scene, const Lattice& lattice,
                                                 std::size_t primitive);
 
+/// True if a primitive is a triangle whose texture may have holes.
+bool may_have_holes(const Scene& scene, std::size_t primitive);
+
 /// True if a request to tex has the place of a sphere's normal in the octahedral picture. `outwards`: the
 /// unit normal that the chip found, 16 fraction bits.
 bool is_octahedral(const TexReq& hit, const Vec3i& outwards, const Config& config);

@@ -211,22 +211,31 @@ RefClosest RefGeometry::only(const RefPath& path, std::uint32_t primitive) const
     return found;
 }
 
-std::vector<RefClosest> RefGeometry::hits_before(const RefPath& path, double distance) const {
+std::vector<RefClosest> RefGeometry::hits_before(
+    const RefPath& path, double distance, const std::function<bool(const RefClosest&)>& is_last) const {
     const RefClosest limit{.depth = distance, .primitive = 0};
     const RefRay ray(path.from, path.direction);
     std::vector<RefClosest> found;
+    bool ends = false;
     const auto keep = [&](const RefClosest& one) {
         const auto is_same = [&](const RefClosest& other) { return other.primitive == one.primitive; };
-        if (one.depth < distance && std::none_of(found.begin(), found.end(), is_same)) found.push_back(one);
+        if (ends || !(one.depth < distance) || std::any_of(found.begin(), found.end(), is_same)) return;
+        found.push_back(one);
+        ends = is_last && is_last(one);
+    };
+    // The last hit ends a search: nothing is nearer than 0.
+    const auto end_if_last = [&](RefClosest& best) {
+        if (ends) best.depth = 0;
     };
     search(
-        nodes_, ray, limit, 0,
-        [&](std::uint32_t block, const RefClosest&) {
-            for (int lane = 0; lane < ref_block_size; ++lane) {
+        nodes_, ray, limit, distance,
+        [&](std::uint32_t block, RefClosest& best) {
+            for (int lane = 0; lane < ref_block_size && !ends; ++lane) {
                 RefClosest one = limit;
                 test_block(only_lane(blocks_[block], lane), ray, one, path.left);
                 keep(one);
             }
+            end_if_last(best);
         },
         [] {});
     for (const RefPlane& plane : planes_) {
@@ -234,14 +243,16 @@ std::vector<RefClosest> RefGeometry::hits_before(const RefPath& path, double dis
         test_plane(plane, path, one);
         keep(one);
     }
+    if (ends) return found;
     search(
-        sphere_nodes_, ray, limit, 0,
-        [&](std::uint32_t block, const RefClosest&) {
+        sphere_nodes_, ray, limit, distance,
+        [&](std::uint32_t block, RefClosest& best) {
             for (int lane = 0; lane < ref_block_size; ++lane) {
                 RefClosest one = limit;
                 test_sphere(spheres_[block * ref_block_size + lane], path, one);
                 keep(one);
             }
+            end_if_last(best);
         },
         [] {});
     return found;

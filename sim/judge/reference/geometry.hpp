@@ -1,5 +1,6 @@
 #pragma once
 // The reference tracer's search for hits: its hierarchies, and the closest hit and shadow queries.
+#include <functional>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -50,8 +51,10 @@ public:
     /// Returns where the path meets one primitive, regardless of all others. Searches all primitives for it.
     RefClosest only(const RefPath& path, std::uint32_t primitive) const;
 
-    /// Returns the hit of each primitive that is nearer than `distance`, in arbitrary order.
-    std::vector<RefClosest> hits_before(const RefPath& path, double distance) const;
+    /// Returns the hit of each primitive that is nearer than `distance`, in arbitrary order. Ends with the
+    /// first hit for which is_last(hit) is true.
+    std::vector<RefClosest> hits_before(const RefPath& path, double distance,
+                                        const std::function<bool(const RefClosest&)>& is_last = {}) const;
     /// Returns the primitives of these hits.
     std::vector<std::uint32_t> blockers(const RefPath& path, double distance) const;
 

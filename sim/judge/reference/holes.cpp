@@ -59,22 +59,25 @@ Hidden hidden_at(const RefGeometry& geometry, const Scene& scene, const RefPath&
                  const HoleSlack& slack) {
     if (!geometry.is_blocked(path, distance)) return {};
     if (scene.coordinates.empty()) return {true, true};
+    const auto is_opaque = [&](const RefClosest& hit) {
+        if (hit.primitive >= scene.triangles.size()) return true;
+        const Material& material = scene.materials[scene.triangles[hit.primitive].material];
+        return !material.texture || material.cutoff <= 0;
+    };
+    std::size_t count = 0;   // beyond most_holes, the light is hidden in any case
+    const std::vector<RefClosest> hits = geometry.hits_before(
+        path, distance, [&](const RefClosest& hit) { return is_opaque(hit) || ++count > most_holes; });
+    if (hits.size() > most_holes || std::ranges::any_of(hits, is_opaque)) return {true, true};
     Hidden found;
-    int holes = 0;
-    for (const RefClosest& hit : geometry.hits_before(path, distance)) {
-        const Material* material = hit.primitive < scene.triangles.size()
-                                       ? &scene.materials[scene.triangles[hit.primitive].material]
-                                       : nullptr;
-        if (!material || !material->texture || material->cutoff <= 0) return {true, true};
+    for (const RefClosest& hit : hits) {
+        const Material& material = scene.materials[scene.triangles[hit.primitive].material];
         const auto& [a, b, c] = scene.coordinates[hit.primitive];
         const AlphaRange alpha =
-            alpha_near(scene.textures[*material->texture], (1 - hit.u - hit.v) * a + hit.u * b + hit.v * c,
+            alpha_near(scene.textures[*material.texture], (1 - hit.u - hit.v) * a + hit.u * b + hit.v * c,
                        error_at(scene, hit, path, slack));
-        found.surely |= alpha.least >= material->cutoff + slack.alpha;
-        found.possibly |= alpha.most >= material->cutoff - slack.alpha;
-        ++holes;
+        found.surely |= alpha.least >= material.cutoff + slack.alpha;
+        found.possibly |= alpha.most >= material.cutoff - slack.alpha;
     }
-    if (holes > most_holes) return {true, true};
     return found;
 }
 

@@ -96,8 +96,7 @@ private:
     /// Paints a pattern. The material gets it as its texture, or its average colour if the load draws none.
     void give_pattern(Material& material, const JsonTexture& given, const JsonValue& from) {
         const Pattern& pattern = *given.pattern;
-        make_room(from, 2 * sizeof(TexelLevel::texels[0]) * std::uint64_t(pattern.width) *
-                            std::uint64_t(pattern.height));
+        make_room(from, painting_bytes(pattern));
         Texture painted = rayclock::texture_of(pattern);
         if (!library_.loading().draws_textures()) {
             material.colour *= average_of(painted);

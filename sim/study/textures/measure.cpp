@@ -97,12 +97,12 @@ private:
     std::vector<RecordedFrame> frames_;
 };
 
-/// Returns the textures on the triangles of a scene, once for all that share texels in memory: textures that
+/// Returns the textures on the primitives of a scene, once for all that share texels in memory: textures that
 /// differ only in their filter do.
 std::vector<Texture> stored_textures(const Scene& scene) {
     std::map<std::tuple<const Pyramid*, Wrap, Wrap>, Texture> stored;
-    for (const Triangle& triangle : scene.triangles)
-        if (const auto number = scene.materials[triangle.material].texture) {
+    for (std::size_t i = 0; i < primitive_count(scene); ++i)
+        if (const auto number = texture_of(scene, i)) {
             const Texture& texture = scene.textures[*number];
             stored.try_emplace({texture.pyramid.get(), texture.wrap_s, texture.wrap_t}, texture);
         }
@@ -140,8 +140,7 @@ public:
         request_ = request_of(name, study.config, finish, 1, study.size, progress);
         textures_ = stored_textures(request_.scene);
         if (textures_.empty())
-            throw UserError(printable(name) +
-                            " has no picture on a triangle, so study textures cannot measure it");
+            throw UserError(printable(name) + " has no texture, so study textures cannot measure it");
         if (request_.config.has_instances())
             throw UserError("study textures measures only machines with one level; set levels=1");
         figures_.scene = name;

@@ -7,6 +7,7 @@
 #include "model/scene/hit.hpp"
 #include "model/trace/record_shaded.hpp"
 #include "model/trace/walk.hpp"
+#include "model/unit/shade/pass.hpp"
 
 namespace rayclock {
 
@@ -25,7 +26,7 @@ public:
         if (next_ == RayPurpose::shadow)
             values.parent = surface_;
         else if (next_ != RayPurpose::camera)
-            values.parent = at_depth_[std::size_t(depth_ - 1)];
+            values.parent = at_depth_[std::size_t(depth_ - (goes_on_ ? 0 : 1))];
         if (next_ != RayPurpose::shadow) {
             at_depth_.resize(std::size_t(depth_) + 1);
             at_depth_[std::size_t(depth_)] = surface_ = int(rays.size());
@@ -35,8 +36,9 @@ public:
     void answered(const Closest& hit) override { rays.back().hit = hit; }
     void passed(const PassIn& in, const PassOut& out) override {
         if (out.leave != PassOut::Leave::spawn) return;
-        const ShadeEvent event = ShadeEvent(in.state.next_event);
+        const ShadeEvent event = event_of(in);   // no pass that requests a cut-out's texture sends a ray
         depth_ = int(out.state.depth);
+        goes_on_ = event == ShadeEvent::texture;
         next_ = out.spawn.kind == std::uint32_t(RayKind::camera) ? RayPurpose::camera
                 : event == ShadeEvent::light                     ? RayPurpose::shadow
                 : event == ShadeEvent::reflect                   ? RayPurpose::reflection
@@ -46,6 +48,7 @@ public:
 private:
     RayPurpose next_ = RayPurpose::camera;
     int depth_ = 0, surface_ = -1;
+    bool goes_on_ = false;        ///< the next ray continues through a hole: it is no bounce
     std::vector<int> at_depth_;   ///< the last camera ray or bounce at each depth
 };
 

@@ -29,7 +29,7 @@ struct RayValues {
     Ray ray;
     RayPurpose purpose{};
     int parent = -1;   ///< the ray whose hit is an end of this one; -1: the pixel
-    int depth = 0;     ///< bounces
+    int depth = 0;     ///< bounces; a ray through a hole has its parent's
     Closest hit;
     std::vector<VisitValues> visits;
 };
