@@ -97,6 +97,10 @@ void check_parameters(const Config& c, const std::string& where) {
     if (const int bits = 2 + c.prim_bits + c.t_bits() + 2 * c.uv_bits() + (c.has_homes() ? c.addr_bits : 0);
         c.is_stream() && c.pixel_writes && bits > most_hit_bits)
         refuse("pixel_writes=1 writes hits of 128 bits, and a hit of this chip has " + std::to_string(bits));
+    if (c.is_board() && (c.pipelines > 1 || c.dram_channels > 1))
+        refuse("dram=board needs pipelines=1 and dram_channels=1");
+    if (c.is_board() && (c.is_stream() || !c.scan_out || !c.pixel_writes))
+        refuse("dram=board needs source=camera, scan_out=1 and pixel_writes=1: the board has a screen");
     if (c.is_stream() && c.spheres)
         refuse("spheres=1 needs source=camera: records of rays do not say which sphere a ray leaves");
     if (c.is_stream() && c.planes)

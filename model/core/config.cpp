@@ -133,8 +133,8 @@ void make_binary(Config& c) {
 }   // namespace
 
 const std::vector<std::string>& config_names() {
-    static const std::vector<std::string> names{"default", "small", "wide",        "saarcor",
-                                                "rpu",     "ulx3s", "ulx3s-shaded"};
+    static const std::vector<std::string> names{"default", "small", "wide",         "saarcor",
+                                                "rpu",     "ulx3s", "ulx3s-shaded", "ulx3s-board"};
     return names;
 }
 
@@ -151,7 +151,7 @@ Config named_config(const std::string& name) {
         c.dram = DramName::sdr;
         return c;
     }
-    if (name == "ulx3s" || name == "ulx3s-shaded") {
+    if (name == "ulx3s" || name == "ulx3s-shaded" || name == "ulx3s-board") {
         make_small(c);
         c.timing = Timing::fast;
         c.tri_interval = 2;
@@ -159,8 +159,12 @@ Config named_config(const std::string& name) {
         c.tri_queue = 64;
         set_cache(c.node_sets, c.node_ways, c.node_mshrs, 256, 2, 8);
         set_cache(c.prim_sets, c.prim_ways, c.prim_mshrs, 256, 2, 8);
-        if (name == "ulx3s-shaded") make_shaded(c);
+        if (name != "ulx3s") make_shaded(c);
         c.dram = DramName::sdr_half;
+        if (name == "ulx3s-board") {
+            c.dram = DramName::board;
+            c.scan_out = c.pixel_writes = true;
+        }
         return c;
     }
     if (name == "wide") {

@@ -128,6 +128,8 @@ struct Config {
     bool is_walked(Structure by) const { return engine() == by || lower_engine() == by; }
     /// Returns the memory outside the chip, or null if it is the ideal memory.
     const DramPart* dram_part() const;
+    /// True if the memory is the board's (rtl/board): its controller, screen and pixels in the RTL's cycles.
+    bool is_board() const { return dram == DramName::board && !own_dram; }
     bool is_sheared() const { return test() == PrimitiveTest::sheared; }
     int edge_bits() const;   ///< signed edge function, and determinant of a hit
     /// Bits of the numerator of t, signed.

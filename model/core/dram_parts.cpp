@@ -29,7 +29,7 @@ std::int64_t capacity_bytes(const DramPart& part) {
 }
 
 const DramPart& dram_part(const std::string& name) {
-    static const DramPart all[]{sdr(), ddr3(), rpu(), sdr_half(), ddr4(), lpddr4(), hbm2()};
+    static const DramPart all[]{sdr(), ddr3(), rpu(), sdr_half(), ddr4(), lpddr4(), hbm2(), board()};
     return by_name(all, name, "no memory part");
 }
 

@@ -58,6 +58,17 @@ DramPart sdr_half() {
     return p;
 }
 
+// The same chip behind the controller of rtl/board, which runs at the chip's clock. model/board/sdram.hpp is
+// its model; of these figures only the organisation counts.
+DramPart board() {
+    DramPart p = sdr();
+    p.name = "board";
+    p.description =
+        "SDR SDRAM of the ULX3S board with the board's own controller (rtl/board), screen and pixel writer: "
+        "16 bits at the chip's clock";
+    return p;
+}
+
 // Chip: Micron MT41K128M16JT-125, as Digilent's controller project for the Arty sets it: TimePeriod 3000, CAS
 // latency 5, and the gates of its <TimingParameters>. The project states a slower grade (-15E) than that of
 // the chip on the board.

@@ -12,5 +12,6 @@ DramPart rpu();
 DramPart ddr4();
 DramPart lpddr4();
 DramPart hbm2();
+DramPart board();
 
 }   // namespace rayclock

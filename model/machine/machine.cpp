@@ -25,6 +25,7 @@ Machine::Machine(const Config& config, int khz, Traffic traffic)
 
 void Machine::start(const Frame& frame, const Trace& trace, std::vector<Stretch> stretches,
                     std::uint64_t pixels) {
+    memory_.start_frame(frame.width, frame.height);
     dispatch_.start(frame, std::move(stretches));
     for (Pipeline& pipeline : pipelines_) pipeline.start(frame, trace);
     pixels_ = pixels;
@@ -120,6 +121,7 @@ void Machine::route(bool answered, std::uint32_t id) {
 }
 
 void Machine::settle_pipelines() {
+    if (memory_.draws()) pipelines_[0].open_sink(memory_.accepts_pixel());
     for (std::size_t p = 0; p < pipelines_.size(); ++p) {
         pipelines_[p].settle(now_);
         masks_[p] = {pipelines_[p].valid_mask(shared_moves_[p]), pipelines_[p].fire_mask(shared_moves_[p])};
@@ -128,6 +130,10 @@ void Machine::settle_pipelines() {
 
 void Machine::clock_pipelines() {
     finished_ = 0;
+    if (memory_.draws() && masks_[0].fire >> index(Link::hit) & 1) {
+        const Slot& pixel = pipelines_[0].pixel(pipelines_[0].ray_on(Link::hit));
+        place_ = {pixel.x, pixel.y};
+    }
     for (std::size_t p = 0; p < pipelines_.size(); ++p) {
         if (masks_[p].fire) moved_at_ = now_ + 1;
         finished_ += std::uint32_t(masks_[p].fire >> index(Link::hit) & 1);
@@ -147,7 +153,7 @@ void Machine::clock_shared() {
         ++l2_counts_[std::size_t(l2_outcome_)];
     }
     const Memory::Answer request{asked().id, asked().addr};
-    memory_.clock(fires(Link::mem_req) ? &request : nullptr, finished_);
+    memory_.clock(fires(Link::mem_req) ? &request : nullptr, finished_, finished_ > 0 ? &place_ : nullptr);
     ++now_;
     if (fire_) moved_at_ = now_;
 }
@@ -161,6 +167,7 @@ inline bool Machine::shared_is_still() const {
 }
 
 void Machine::step() {
+    if (memory_.draws()) return step([](const Move&) {});
     static constexpr SharedMoves nothing{};
     const bool still = shared_is_still();
     if (!still) settle_shared();

@@ -133,6 +133,7 @@ private:
 
     std::uint64_t now_ = 0, moved_at_ = 0, hits_ = 0, pixels_ = 0;
     std::uint32_t finished_ = 0;      // pixels finished in this cycle
+    Memory::Place place_;             // of the pixel, if the memory draws it
     std::uint32_t last_shared_ = 0;   // codes of dispatch and memport
     CacheOutcome l2_outcome_{};
     std::array<std::uint64_t, 16> shared_counts_{};

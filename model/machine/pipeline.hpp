@@ -44,6 +44,8 @@ public:
 
     /// Performs cycle `now`: settles the links from registered state, and clocks. Returns true if a hit left.
     bool step(std::uint64_t now, const SharedMoves& shared);
+    /// Opens or closes the receiver of pixels for the next cycle. It is open at first.
+    void open_sink(bool is_open) { sink_.open(is_open); }
     /// Perform the two halves of step(), so that callers can observe the links in between.
     void settle(std::uint64_t now);
     void clock(std::uint64_t now, const SharedMoves& shared);

@@ -15,12 +15,17 @@ Memory::Memory(const Config& config, int khz, Traffic traffic)
       traffic_(traffic),
       rng_(traffic.seed * 16 + 1),
       disturbed_(!traffic.none()) {
+    if (config.is_board()) {
+        board_.emplace(config, khz);
+        return;
+    }
     if (const DramPart* part = config.dram_part())
         dram_.emplace(*part, config.dram_channels, khz, int(first_screen_id_) + FrameBuffer::ids);
     if (config.scan_out || config.pixel_writes) frame_buffer_.emplace(config, khz);
 }
 
 void Memory::write(const std::vector<std::uint32_t>& lines) {
+    if (board_) return;   // the host writes over its link before the frame, in time that does not count
     written_.erase(written_.begin(), written_.end() - std::ptrdiff_t(left_));
     written_.insert(written_.end(), lines.begin(), lines.end());
     left_ = written_.size();
@@ -48,7 +53,7 @@ Memory::BusUser Memory::take_turn(const Answer* request, Dram::Answer& what) {
     return BusUser::host;
 }
 
-void Memory::clock_awake(const Answer* request, std::uint32_t pixels) {
+void Memory::clock_awake(const Answer* request, std::uint32_t pixels, const Place* place) {
     if (is_for_screen()) frame_buffer_->answered(coming().id - first_screen_id_);
     Dram::Answer asked;
     const bool had_room = has_room();
@@ -61,7 +66,10 @@ void Memory::clock_awake(const Answer* request, std::uint32_t pixels) {
             late_.push_back(
                 {coming(), now_ + std::uint64_t(traffic_.jitter > 0 ? rng_.below(traffic_.jitter + 1) : 0)});
     }
-    if (dram_) {
+    if (board_) {
+        const BoardMemory::Line line{asked.id, asked.addr};
+        board_->clock(asks ? &line : nullptr, place);
+    } else if (dram_) {
         catch_up();
         dram_->clock(asks ? &asked : nullptr);
         sleeping_ = !disturbed_ & !frame_buffer_ & dram_->is_idle() & (written_.empty() || !writes());
@@ -115,7 +123,9 @@ void Memory::skip(std::uint64_t cycles) {
 std::array<std::uint64_t, 8> Memory::outcomes() const {
     std::array<std::uint64_t, 8> sums{};
     for (std::size_t i = 0; i < memory_outcomes; ++i) {
-        if (dram_)
+        if (board_)
+            sums[i] = board_->cycles(BoardMemory::Outcome(i));
+        else if (dram_)
             sums[std::size_t(outcome_of[i])] = dram_->cycles(DramCause(i));
         else
             sums[i] = ideal_outcomes_[i];
@@ -124,7 +134,19 @@ std::array<std::uint64_t, 8> Memory::outcomes() const {
     return sums;
 }
 
+MemoryStats Memory::board_stats() const {
+    const Sdram& sdram = board_->sdram();
+    MemoryStats s;
+    s.reads = board_->reads() + board_->scanned();
+    s.row_hits = sdram.row_hits(), s.row_conflicts = sdram.row_conflicts(), s.refreshes = sdram.refreshes();
+    s.writes = board_->written();
+    s.scanned = board_->scanned(), s.pixel_writes = board_->written();
+    s.underruns = board_->underruns();
+    return s;
+}
+
 MemoryStats Memory::stats() const {
+    if (board_) return board_stats();
     const std::uint64_t scanned = frame_buffer_ ? frame_buffer_->scanned() : 0,
                         pixels = frame_buffer_ ? frame_buffer_->written() : 0;
     const std::uint32_t backlog = frame_buffer_ ? frame_buffer_->backlog() : 0;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "model/board/board_memory.hpp"
 #include "model/mem/dram_channels.hpp"
 #include "model/core/dram_parts.hpp"
 #include "model/mem/frame_buffer.hpp"
@@ -30,6 +31,8 @@ struct MemoryStats {
     std::uint64_t scanned = 0, pixel_writes = 0;   ///< reads by the screen; writes of pixels
     /// The largest number of words for which the screen waited at the same time, since the beginning.
     std::uint32_t backlog = 0;
+    /// Pixels that the screen of a board showed black, because their word came too late.
+    std::uint32_t underruns = 0;
     friend MemoryStats operator-(MemoryStats a, const MemoryStats& b) {
         return {a.reads - b.reads,
                 a.row_hits - b.row_hits,
@@ -38,18 +41,30 @@ struct MemoryStats {
                 a.writes - b.writes,
                 a.scanned - b.scanned,
                 a.pixel_writes - b.pixel_writes,
-                a.backlog};
+                a.backlog,
+                a.underruns - b.underruns};
     }
     friend bool operator==(const MemoryStats&, const MemoryStats&) = default;
 };
 
 /// The memory outside the chip, as a configuration names it, with the traffic that a test adds. The same
-/// class serves the model and the RTL. Answers must be accepted; at most one comes per cycle.
+/// class serves the model and the RTL of the chip. Answers must be accepted; at most one comes per cycle.
+/// With dram=board it also accepts the chip's pixels, and is not always ready for them.
 class Memory {
 public:
     Memory(const Config& config, int khz, Traffic traffic);
 
     using Answer = Memport::Answer;
+    using Place = BoardMemory::Place;
+
+    /// Prepares a frame with this picture. Call it once before the frame's cycle 0. With dram=board it takes
+    /// time that does not count.
+    void start_frame(std::uint32_t width, std::uint32_t height) {
+        if (board_) board_->start(width, height);
+    }
+    /// True if the places of pixels matter: clock() then needs them.
+    bool draws() const { return board_.has_value(); }
+    bool accepts_pixel() const { return !board_ || board_->accepts_pixel(); }
     bool ready() const { return has_room() && ready_ && !(frame_buffer_ && frame_buffer_->goes_first()); }
     bool valid() const { return disturbed_ ? offer_ >= 0 : comes(); }
     Answer answer() const { return disturbed_ ? late_[std::size_t(offer_)].what : coming(); }
@@ -60,13 +75,14 @@ public:
     /// True until all these lines are written.
     bool writes() const { return left_ > 0 || (dram_ && dram_->writes()); }
 
-    /// One clock edge, with the accepted request (or null) and the number of pixels finished.
-    void clock(const Answer* request, std::uint32_t pixels = 0) {
+    /// One clock edge, with the accepted request (or null) and the number of pixels finished. With draws()
+    /// at most one pixel is finished in a cycle, at `place`.
+    void clock(const Answer* request, std::uint32_t pixels = 0, const Place* place = nullptr) {
         ++now_;
         if (!request && sleeping_)
             ++skipped_cycles_;
         else
-            clock_awake(request, pixels);
+            clock_awake(request, pixels, place);
     }
     /// Cycles by outcome.
     std::array<std::uint64_t, 8> outcomes() const;
@@ -74,7 +90,7 @@ public:
     MemoryStats stats() const;
 
     std::uint64_t quiet_until() const {
-        if (disturbed_ || left_ > 0) return 0;
+        if (disturbed_ || left_ > 0 || board_) return 0;
         const std::uint64_t until = sleeping_ ? ~std::uint64_t(0)
                                     : dram_   ? dram_->quiet_until()
                                               : ideal_.quiet_until();
@@ -88,24 +104,29 @@ private:
         Answer what;
         std::uint64_t due = 0;
     };
-    bool has_room() const { return dram_ ? dram_->ready() : ideal_.ready(); }
-    bool answers() const { return dram_ ? dram_->valid() : ideal_.valid(); }
+    bool has_room() const { return dram_ ? dram_->ready() : board_ ? board_->ready() : ideal_.ready(); }
+    bool answers() const { return dram_ ? dram_->valid() : board_ ? board_->answers() : ideal_.valid(); }
     /// True if there is an answer for the chip.
     bool comes() const { return answers() && !is_for_screen(); }
     bool is_for_screen() const { return frame_buffer_ && answers() && coming().id >= first_screen_id_; }
+    MemoryStats board_stats() const;
     std::uint64_t picture_is_quiet_until() const;
     enum class BusUser { nobody, chip, picture, host };
     BusUser take_turn(const Answer* request, Dram::Answer& what);
     Answer coming() const {
-        return dram_ ? Answer{dram_->answer().id, dram_->answer().addr} : ideal_.answer();
+        if (dram_) return {dram_->answer().id, dram_->answer().addr};
+        if (board_) return {board_->answer().id, board_->answer().addr};
+        return ideal_.answer();
     }
-    void clock_awake(const Answer* request, std::uint32_t pixels);
+    void clock_awake(const Answer* request, std::uint32_t pixels, const Place* place);
     void catch_up();
     void disturb();
 
     std::uint32_t first_screen_id_;   // ids from here on belong to the frame buffer
     Memport ideal_;
-    std::optional<DramChannels> dram_;   // absent with the ideal memory
+    // At most one of these two is present; the ideal memory needs neither.
+    std::optional<DramChannels> dram_;
+    std::optional<BoardMemory> board_;
     std::optional<FrameBuffer> frame_buffer_;
     Traffic traffic_;
     Rng rng_;

@@ -64,13 +64,15 @@ class Sink {
 public:
     Sink(Traffic traffic, int number)
         : stall_percent_(traffic.stall_percent), rng_(traffic.seed * 16 + 3 + std::uint64_t(number)) {}
-    bool ready() const { return ready_; }
+    bool ready() const { return ready_ & is_open_; }
+    /// Opens or closes it, in addition to the stalls. It is open at first.
+    void open(bool is_open) { is_open_ = is_open; }
     void clock() { ready_ = stall_percent_ == 0 || rng_.below(100) >= stall_percent_; }
 
 private:
     int stall_percent_;
     Rng rng_;
-    bool ready_ = true;
+    bool ready_ = true, is_open_ = true;
 };
 
 }   // namespace rayclock

@@ -42,7 +42,7 @@ const std::vector<Group>& groups() {
         {"Run", {scenes_command, config_command, render_command, simulate_command, rays_command}},
         {"Look", {explain_command, trace_command, compare_command}},
         {"Explore", {sweep_command, merge_command, fit_command}},
-        {"Build", {rtl_command, template_command, export_command, chip_command}},
+        {"Build", {rtl_command, template_command, export_command, chip_command, board_command}},
         {"Check", {verify_command, stress_command, bench_command, doctor_command}},
         {"Pages",
          {area_command, counts_command, figures_command, gigahertz_command, sampling_command, scale_command,

@@ -33,6 +33,7 @@ Command streams_command();
 Command gigahertz_command();
 Command area_command();
 Command chip_command();
+Command board_command();
 Command bench_command();
 Command export_command();
 Command config_command();

@@ -45,7 +45,7 @@ void check_capacity(const MemoryImage& image, const Config& config) {
                         "than the memory '{}' holds, {} bytes",
                         image.report.bytes, FrameBuffer::bytes, part->name, capacity));
     const double peak = double(peak_bytes_per_second(*part)) * config.dram_channels;
-    if (config.scan_out && peak <= FrameBuffer::screen_bytes_per_second)
+    if (config.scan_out && !config.is_board() && peak <= FrameBuffer::screen_bytes_per_second)
         throw UserError(fmt::format(
             "scan_out=1 reads {:.1f} MB/s for the screen, and the memory '{}' gives {:.1f} at most",
             FrameBuffer::screen_bytes_per_second / 1e6, part->name, peak / 1e6));
@@ -87,6 +87,9 @@ bool is_in(const std::vector<MirrorRange>& ranges, std::uint32_t prim) {
 Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Config& config,
              const Progress& progress, const Whitted& settings) {
     check_frame_size(size);
+    if (config.is_board() && (size.width > int(Screens::width) || size.height > int(Screens::height)))
+        throw UserError(fmt::format("a picture of {}x{} is larger than the board's frame buffer, {}x{}",
+                                    size.width, size.height, Screens::width, Screens::height));
     if (config.is_stream())
         throw UserError("source=stream has no camera: use simulate or verify with --rays");
     Job job{config, {}, compile_scene(scene, camera.eye, config, progress), size};

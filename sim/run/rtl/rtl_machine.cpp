@@ -126,6 +126,7 @@ void RtlMachine::start(const Frame& frame) {
     rays_ = {};
     accounts_.reset();
     started_ = now_;
+    memory_.start_frame(frame.width, frame.height);
     memory_at_start_ = memory_.outcomes();
 }
 
@@ -151,6 +152,7 @@ void RtlMachine::change(const Upload& upload) {
 }
 
 void RtlMachine::drive() {
+    sinks_[0].open(memory_.accepts_pixel());
     std::uint32_t ready = 0;   // one bit per sink, in as many bytes as the signal has
     for (std::size_t p = 0; p < sinks_.size(); ++p) ready |= std::uint32_t(sinks_[p].ready()) << p;
     std::memcpy(hit_ready_->data, &ready, std::min<std::size_t>(hit_ready_->bytes, sizeof ready));
@@ -266,8 +268,13 @@ void RtlMachine::clock() {
         if (fire_[p] & bit(Link::node_req)) count_boxes(int(p));
     }
     hits_ += finished;
+    Memory::Place place;
+    if (memory_.draws() && finished > 0) {
+        const HitOut hit = get_data<HitOut>(*links_[0][index(Link::hit)], config_);
+        place = {hit.x, hit.y};
+    }
     rtl_.clock();
-    memory_.clock(asked ? &*asked : nullptr, finished);
+    memory_.clock(asked ? &*asked : nullptr, finished, finished > 0 ? &place : nullptr);
     for (Sink& sink : sinks_) sink.clock();
     ++now_;
 }

@@ -97,7 +97,12 @@ std::string memory_table(const PageInput& input) {
     cache(Unit::l2);
     const MemoryStats& m = input.run.memory;
     std::string picture;
-    if (input.config.scan_out)
+    if (input.config.is_board())
+        picture += fmt::format(
+            "<p>{} of these reads were the screen's. It showed {} pixels black, because their "
+            "word came too late.</p>\n",
+            grouped(m.scanned), grouped(m.underruns));
+    else if (input.config.scan_out)
         picture += fmt::format(
             "<p>{} of these reads were the screen's, which waited for {} words of 64 bytes at most.</p>\n",
             grouped(m.scanned), m.backlog);

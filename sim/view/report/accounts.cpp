@@ -82,6 +82,7 @@ double peak_bytes_per_second(const Config& config, int khz) {
     const double port = 64.0 * khz * 1e3;
     const DramPart* part = config.dram_part();
     if (!part) return port / config.mem_interval;
+    if (config.is_board()) return 2.0 * khz * 1e3;   // 16 bits in each cycle of the chip
     return std::min(port, double(peak_bytes_per_second(*part)) * config.dram_channels);
 }
 
@@ -95,7 +96,10 @@ Bound bound_of(const Config& config, int khz, const FrameResult& run) {
     bound.passes = double(run.accounts.units[index(Unit::shade)][0]) / config.pipelines;
     bound.rays = double(run.accounts.units[index(Unit::raygen)][0]) / config.pipelines;
     // Scan-out takes its share of the memory's bandwidth. Reads and pixel writes must fit in the rest.
-    const double screen = config.scan_out ? FrameBuffer::screen_bytes_per_second : 0;
+    const double seconds = double(run.cycles) / (khz * 1e3),
+                 screen = config.is_board() && run.cycles ? double(64 * run.memory.scanned) / seconds
+                          : config.scan_out               ? FrameBuffer::screen_bytes_per_second
+                                                          : 0;
     const double peak = peak_bytes_per_second(config, khz);
     bound.memory = double(64 * (run.memory.reads - run.memory.scanned + run.memory.pixel_writes)) /
                    std::max(peak - screen, peak / 2) * khz * 1e3;

@@ -159,7 +159,9 @@ ordered_json memory_json(const Config& config, int khz, const FrameResult& run) 
                     {"refreshes", run.memory.refreshes},
                     {"writes", run.memory.writes},
                     {"peak_gb_per_s", peak_bytes_per_second(config, khz) / 1e9}};
-    if (config.scan_out)
+    if (config.is_board())
+        json["dram"]["scan_out"] = {{"reads", run.memory.scanned}, {"underruns", run.memory.underruns}};
+    else if (config.scan_out)
         json["dram"]["scan_out"] = {{"reads", run.memory.scanned}, {"backlog", run.memory.backlog}};
     if (config.pixel_writes) json["dram"]["pixel_writes"] = run.memory.pixel_writes;
     return json;

@@ -1,0 +1,70 @@
+// A cycle of the board's memory.
+#include "model/board/board_memory.hpp"
+
+namespace rayclock {
+
+namespace {
+
+// The board of the model has the larger of the two chips that ULX3S boards carry.
+const SdramPart& part_of_model() { return sdram_part("as4c32m16sb"); }
+
+}   // namespace
+
+BoardMemory::BoardMemory(const Config& config, int khz)
+    : part_(part_of_model()),
+      shape_{.chip_khz = std::uint32_t(khz)},
+      clients_(sdram_clocks(part_, khz), config.mem_id_bits()),
+      scan_(shape_),
+      colour_(config.has_shade()),
+      addresses_(std::size_t(1) << config.mem_id_bits()) {
+    offer();
+}
+
+void BoardMemory::start(std::uint32_t width, std::uint32_t height) {
+    while (colour_.holds() || !writer_.empty()) step(nullptr, nullptr, true);
+    drawn_base_ = Screens::base(part_, 0);
+    shown_ = {Screens::base(part_, 1), width, height, Screens::doubles(width, height)};
+    while (!clients_.init_done() || !scan_.takes()) step(nullptr, nullptr, false);
+    clients_.align();
+    for (int i = 0; i < start_cycles; ++i) step(nullptr, nullptr, false);
+}
+
+void BoardMemory::clock(const Line* request, const Place* pixel) {
+    const Sdram& sdram = clients_.sdram();
+    const Outcome outcome = sdram.write_beat().valid || sdram.read_beat().valid ? Outcome::busy
+                            : !sdram.holds()                                    ? Outcome::starved
+                            : sdram.refreshing()                                ? Outcome::refresh
+                                                                                : Outcome::latency;
+    ++outcomes_[std::size_t(outcome)];
+    step(request, pixel, false);
+}
+
+void BoardMemory::step(const Line* request, const Place* pixel, bool flush) {
+    if (request) {
+        offers_.chip = {true, request->id, request->addr};
+        addresses_[request->id] = request->addr;
+        ++reads_;
+    }
+    const MemoryClients::Ready ready = clients_.ready(offers_);
+    scanned_ += offers_.scan.valid && ready.scan;
+    written_ += offers_.pixels.valid && ready.pixels;
+
+    const bool leaves = colour_.valid() && writer_.ready();
+    PixelWriter::Inputs in{drawn_base_, shown_.width, flush, {}, ready.pixels, clients_.pixels_next()};
+    if (colour_.valid()) in.pixel = colour_.place();
+    scan_.clock({shown_, ready.scan, clients_.scan_beat()});
+    writer_.clock(in);
+    colour_.clock(leaves, pixel);
+    clients_.clock(offers_);
+    offer();
+}
+
+/// Determines what scan-out and pixel writer offer in the next cycle, and whether the chip may request.
+void BoardMemory::offer() {
+    offers_ = {};
+    offers_.scan = {scan_.requests(), scan_.address(), scan_.is_urgent()};
+    offers_.pixels = {writer_.requests(), writer_.address()};
+    ready_ = clients_.ready(offers_).chip;
+}
+
+}   // namespace rayclock

@@ -1,0 +1,242 @@
+// rayclock board: a frame on a board, or on a simulated one, beside the model's.
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "model/base/stopwatch.hpp"
+#include "sim/app/options/commands.hpp"
+#include "sim/app/options/options.hpp"
+#include "sim/app/run/clock.hpp"
+#include "sim/board/host.hpp"
+#include "sim/board/port.hpp"
+#include "sim/board/simulated_board.hpp"
+#include "sim/files/image/image.hpp"
+#include "sim/files/image/srgb.hpp"
+#include "sim/files/process/stopping.hpp"
+#include "sim/run/frame/frame.hpp"
+#include "sim/run/request/request.hpp"
+#include "sim/view/report/json.hpp"
+#include "sim/view/report/text.hpp"
+
+namespace rayclock {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* simulated = "simulated";
+constexpr int port_baud = 3'000'000;
+/// The wire of a simulated board is five times as fast, because each cycle costs time.
+constexpr int simulated_baud = 15'000'000;
+
+struct BoardOptions {
+    std::string scene, size = "64x48", clock = "75", port = simulated, sdram = "as4c32m16sb";
+    ConfigChoice config{"ulx3s-board"};
+    Finish finish;
+    ViewChoice view;
+    bool dark = false;
+    int threads = 0;
+    std::string output;
+    JsonOutput json;
+};
+
+void declare_board(Parser& parser, BoardOptions& o) {
+    scene_option(parser, o.scene).required();
+    finished_options(parser, o.finish);
+    view_options(parser, o.view);
+    size_option(parser, o.size);
+    clock_option(parser, o.clock);
+    config_options(parser, o.config);
+    parser
+        .option(
+            "--port", o.port,
+            "serial port of a board, such as /dev/ttyUSB0, or 'simulated': the board's RTL from pin to pin")
+        .with_default();
+    parser.option("--sdram", o.sdram, "memory of the board: as4c32m16sb or is42s16160g").with_default();
+    parser.flag("--dark", o.dark, "leave out the simulated screen, which is faster");
+    threads_option(parser, o.threads);
+    parser.option(
+        "-o,--output", o.output,
+        "folder for the pictures: the model's, the one read from the board, and the simulated screen");
+    json_option(parser, o.json);
+}
+
+using Bytes = std::array<std::uint8_t, 3>;
+
+std::vector<Bytes> bytes_of(const Picture& picture) {
+    std::vector<Bytes> bytes;
+    for (const glm::vec3& pixel : picture.pixels) bytes.push_back(srgb_bytes(pixel));
+    return bytes;
+}
+
+Picture picture_of(FrameSize size, const std::vector<Bytes>& bytes) {
+    Picture picture{size, {}};
+    for (const Bytes& pixel : bytes)
+        picture.pixels.emplace_back(linear_from_srgb(pixel[0] / 255.0), linear_from_srgb(pixel[1] / 255.0),
+                                    linear_from_srgb(pixel[2] / 255.0));
+    return picture;
+}
+
+/// Returns the bytes that the board must have for a frame of the model.
+std::vector<Bytes> expected_bytes(const Config& config, FrameSize size, const FrameResult& frame) {
+    if (config.has_shade()) return bytes_of(picture_from_colours(size, frame.colours));
+    std::vector<Bytes> bytes;
+    for (const Closest& hit : frame.answers) bytes.push_back(label_colour(hit.found, hit.prim));
+    return bytes;
+}
+
+/// The screen around a picture: the middle of 640x480 pixels, black around it.
+std::vector<Bytes> expected_screen(FrameSize size, const std::vector<Bytes>& bytes) {
+    const bool doubles = Screens::doubles(std::uint32_t(size.width), std::uint32_t(size.height));
+    const int scale = doubles ? 2 : 1, left = (int(Screens::width) - scale * size.width) / 2,
+              top = (int(Screens::height) - scale * size.height) / 2;
+    std::vector<Bytes> screen(Screens::width * Screens::height);
+    for (int y = 0; y < scale * size.height; ++y)
+        for (int x = 0; x < scale * size.width; ++x)
+            screen[std::size_t(top + y) * Screens::width + std::size_t(left + x)] =
+                bytes[std::size_t(y / scale * size.width + x / scale)];
+    return screen;
+}
+
+std::uint64_t differences(const std::vector<Bytes>& a, const std::vector<Bytes>& b) {
+    std::uint64_t count = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) count += i >= b.size() || a[i] != b[i];
+    return count;
+}
+
+/// What was compared.
+struct BoardCheck {
+    FrameResult model;
+    BoardFrame board;
+    std::string first_counter;   ///< a sentence about the first counter that differs
+    std::uint64_t wrong_pixels = 0;
+    // Of a simulated board:
+    std::optional<std::uint64_t> wrong_screen_pixels;
+    std::vector<std::string> faults;   ///< of SDRAM, screen and cable, the first ones
+    std::uint64_t simulated_cycles = 0;
+
+    bool is_good() const {
+        return model.cycles == board.cycles && first_counter.empty() && wrong_pixels == 0 &&
+               wrong_screen_pixels.value_or(0) == 0 && faults.empty() && board.underruns == 0;
+    }
+};
+
+/// The memory's account is the model's own: the board does not count it.
+std::string counter_sentence(const Config& config, const Accounts& model, const Accounts& board) {
+    for (std::size_t u = 0; u < unit_count; ++u)
+        for (std::size_t c = 0; Unit(u) != Unit::memory && is_there(Unit(u), config) && c < cause_count; ++c)
+            if (model.units[u][c] != board.units[u][c])
+                return fmt::format("unit {}, counter {}: the model has {} and the board {}",
+                                   unit_infos[u].name, c, model.units[u][c], board.units[u][c]);
+    return {};
+}
+
+void look_at(const SimulatedBoard& board, BoardCheck& check, const std::vector<Bytes>& screen) {
+    check.wrong_screen_pixels = differences(screen, board.screen().picture().pixels);
+    for (const SdramChip::Violation& violation : board.sdram().violations())
+        check.faults.push_back(violation.text);
+    for (const std::string& error : board.screen().errors()) check.faults.push_back(error);
+    for (const std::string& error : board.receiver().errors()) check.faults.push_back(error);
+}
+
+int run_board(const BoardOptions& o) {
+    const FrameSize size = parse_size(o.size);
+    const Progress progress = stopping(terminal_progress());
+    o.json.check();
+    const Request request = request_of(o.scene, o.config, o.finish, 1, size, progress, o.view);
+    const Config& config = request.config;
+    if (!config.is_board())
+        throw UserError("board needs a configuration with dram=board, such as ulx3s-board");
+    const int khz = one_clock_of(o.clock, config);
+    Job job = make_job(request.scene, *request.scene.camera, size, config, progress, request.settings);
+    job.khz = khz;
+
+    BoardCheck check;
+    check.model = run_model(job, {}, progress);
+    const std::vector<Bytes> expected = expected_bytes(config, size, check.model);
+
+    const Stopwatch watch;
+    const SdramPart& part = sdram_part(o.sdram);
+    std::unique_ptr<SimulatedBoard> board;
+    std::unique_ptr<Port> port;
+    LinkSettings settings;
+    settings.name = o.port;
+    if (o.port == simulated) {
+        settings.baud = simulated_baud;
+        settings.hello = 1;
+        board = std::make_unique<SimulatedBoard>(
+            config, BoardShape{.khz = khz, .baud = simulated_baud, .sdram = o.sdram, .is_lit = !o.dark});
+    } else {
+        settings.baud = port_baud;
+        port = std::make_unique<Port>(o.port, settings.baud);
+    }
+    Link link(board ? static_cast<Channel&>(*board) : *port, settings);
+    BoardHost host(link, config, part);
+    std::uint64_t done = 0;
+    host.load(job.image, done, progress);
+    check.board = host.run(job.frame, progress);
+    check.first_counter = counter_sentence(config, check.model.accounts, check.board.accounts);
+    check.wrong_pixels = differences(expected, check.board.pixels);
+    if (board && !o.dark) {
+        board->watch(2);
+        look_at(*board, check, expected_screen(size, expected));
+    }
+    if (board) check.simulated_cycles = board->cycle();
+    const double seconds = watch.seconds();
+
+    if (!o.json.is_alone()) {
+        fmt::print("{} on {} at {:.1f} MHz, {}x{} pixels\n", request.scene.name,
+                   board ? "the simulated board" : o.port, khz / 1e3, size.width, size.height);
+        fmt::print("  cycles: model {}, board {}; {} more until the last pixel is in memory\n",
+                   grouped(check.model.cycles), grouped(check.board.cycles),
+                   grouped(check.board.written_cycles - check.board.cycles));
+        fmt::print("  {:.2f} frames per second\n", khz * 1e3 / double(check.board.written_cycles));
+        fmt::print("  counters: {}\n", check.first_counter.empty() ? "equal" : check.first_counter);
+        fmt::print("  pixels: {} of {} differ\n", check.wrong_pixels, expected.size());
+        if (check.wrong_screen_pixels)
+            fmt::print("  screen: {} of {} pixels differ, {} shown too late\n", *check.wrong_screen_pixels,
+                       Screens::width * Screens::height, check.board.underruns);
+        for (const std::string& fault : check.faults) fmt::print("  fault: {}\n", fault);
+        if (board)
+            fmt::print("  simulated {} cycles in {:.1f} s, {:.2f} M cycles/s\n",
+                       grouped(check.simulated_cycles), seconds,
+                       double(check.simulated_cycles) / seconds / 1e6);
+        fmt::print("{}\n", check.is_good() ? "EQUAL" : "DIFFERENT");
+    }
+    if (!o.output.empty()) {
+        fs::create_directories(o.output);
+        write_picture(picture_of(size, expected), (fs::path(o.output) / "model.png").string());
+        write_picture(picture_of(size, check.board.pixels), (fs::path(o.output) / "board.png").string());
+        if (check.wrong_screen_pixels)
+            write_picture(
+                picture_of({int(Screens::width), int(Screens::height)}, board->screen().picture().pixels),
+                (fs::path(o.output) / "screen.png").string());
+    }
+    o.json.write(
+        {{"cycles",
+          {{"model", check.model.cycles},
+           {"board", check.board.cycles},
+           {"written", check.board.written_cycles}}},
+         {"cycle_gap", check.board.cycles > check.model.cycles ? check.board.cycles - check.model.cycles
+                                                               : check.model.cycles - check.board.cycles},
+         {"counters_equal", check.first_counter.empty()},
+         {"wrong_pixels", check.wrong_pixels},
+         {"wrong_screen_pixels", check.wrong_screen_pixels
+                                     ? nlohmann::ordered_json(*check.wrong_screen_pixels)
+                                     : nlohmann::ordered_json(nullptr)},
+         {"underruns", check.board.underruns},
+         {"faults", check.faults},
+         {"good", check.is_good()}});
+    return check.is_good() ? 0 : 1;
+}
+
+}   // namespace
+
+Command board_command() {
+    return command("board", "draw a frame on a ULX3S, or on a simulated one, and compare it with the model",
+                   "rayclock board balls:2 --depth 1 -o out", declare_board, run_board);
+}
+
+}   // namespace rayclock

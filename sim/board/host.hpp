@@ -1,0 +1,49 @@
+#pragma once
+// The host's program for a board: loads a scene, runs frames, reads counters and pictures. It cannot tell a
+// board from a simulated one.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "model/base/progress.hpp"
+#include "model/board/board_memory.hpp"
+#include "model/core/frame.hpp"
+#include "model/layout/memory_image.hpp"
+#include "model/machine/units.hpp"
+#include "sim/board/link.hpp"
+
+namespace rayclock {
+
+/// A frame as the board reports it.
+struct BoardFrame {
+    std::uint64_t cycles = 0;           ///< of the chip
+    std::uint64_t written_cycles = 0;   ///< until the last pixel is in memory
+    Accounts accounts;                  ///< of all units except the memory
+    std::uint32_t underruns = 0;        ///< pixels that the screen showed too late, since the last reset
+    std::vector<std::array<std::uint8_t, 3>> pixels;   ///< [y * width + x]: red, green, blue
+};
+
+/// A board at the other end of a link. All functions throw what Link throws, and UserError if the board is
+/// not the one that is expected.
+class BoardHost {
+public:
+    /// Says hello. Throws UserError if the bitstream was made from another configuration. Resets the chip.
+    BoardHost(Link& link, const Config& config, const SdramPart& part);
+
+    /// Writes the memory image. `done` counts lines that the board has; a call with the same arguments
+    /// continues after LinkLost.
+    void load(const MemoryImage& image, std::uint64_t& done, const Progress& progress = {});
+    /// Draws a frame into the picture that is not shown, reads counters and pixels, and shows the picture.
+    BoardFrame run(const Frame& frame, const Progress& progress = {});
+
+private:
+    std::uint64_t read_counter(std::uint32_t address);
+    void read_accounts(Accounts& accounts);
+
+    Link& link_;
+    Config config_;
+    SdramPart part_;
+    std::uint32_t drawn_ = 0;   ///< picture 0 or 1
+};
+
+}   // namespace rayclock

@@ -1,0 +1,13 @@
+#pragma once
+// What tells one bitstream from another.
+#include <cstdint>
+
+#include "model/core/config.hpp"
+
+namespace rayclock {
+
+/// Returns the hash of a configuration that a bitstream carries. Two configurations with the same package of
+/// the RTL have the same hash.
+std::uint64_t config_hash(const Config& config);
+
+}   // namespace rayclock

@@ -1,0 +1,118 @@
+// A cycle of the simulated board.
+#include "sim/board/simulated_board.hpp"
+
+#include <fmt/format.h>
+
+#include "model/board/scan_out.hpp"
+#include "sim/board/identity.hpp"
+
+namespace rayclock {
+
+namespace {
+
+constexpr std::uint64_t pixel_khz = 25'000, shift_khz = 5 * pixel_khz;
+
+std::string module_of(const Config& config, const BoardShape& shape) {
+    if (config.pipelines != 1)
+        throw UserError(fmt::format("the board's chip has one pipeline, and this configuration has {}",
+                                    config.pipelines));
+    const SdramPart& part = sdram_part(shape.sdram);
+    return fmt::format("rc_board ClkKhz={} Baud={} ColumnBits={} InitUs={} ConfigHash=64'h{:016x}", shape.khz,
+                       shape.baud, part.column_bits, shape.initial_wait_us, config_hash(config));
+}
+
+/// The SDRAM waits after power-on for the time that the shape says.
+SdramPart part_of(const BoardShape& shape) {
+    SdramPart part = sdram_part(shape.sdram);
+    part.initial_wait = std::int64_t(shape.initial_wait_us) * 1'000'000;
+    return part;
+}
+
+}   // namespace
+
+SimulatedBoard::SimulatedBoard(const Config& config, const BoardShape& shape)
+    : shape_(shape),
+      rtl_(config, module_of(config, shape), shape.seed),
+      sdram_(part_of(shape), shape.khz),
+      receiver_(screen_),
+      from_host_(1e3 * shape.khz / shape.baud),
+      to_host_(1e3 * shape.khz / shape.baud),
+      rx_(rtl_, "rx"),
+      tx_(rtl_, "tx"),
+      led_(rtl_, "led"),
+      tmds_(rtl_, "tmds"),
+      pixel_clk_(rtl_, "pixel_clk"),
+      pixel_rst_(rtl_, "pixel_rst"),
+      shift_clk_(rtl_, "shift_clk"),
+      shift_rst_(rtl_, "shift_rst"),
+      cke_(rtl_, "sd_cke"),
+      cs_(rtl_, "sd_cs"),
+      ras_(rtl_, "sd_ras"),
+      cas_(rtl_, "sd_cas"),
+      we_(rtl_, "sd_we"),
+      ba_(rtl_, "sd_ba"),
+      a_(rtl_, "sd_a"),
+      dqm_(rtl_, "sd_dqm"),
+      dq_oe_(rtl_, "sd_dq_oe"),
+      dq_out_(rtl_, "sd_dq_out"),
+      dq_in_(rtl_, "sd_dq") {
+    rx_ = 1, dq_in_ = 0, pixel_clk_ = 0, shift_clk_ = 0, pixel_rst_ = 0, shift_rst_ = 0;
+    for (int i = 0; i < 10; ++i) {   // the video's registers see the reset
+        pixel_clk_ = 1, shift_clk_ = 1;
+        rtl_.settle();
+        pixel_clk_ = 0, shift_clk_ = 0;
+        rtl_.settle();
+    }
+    rtl_.reset();
+    pixel_rst_ = 1, shift_rst_ = 1;
+}
+
+/// The edges of the shift clock up to the chip's next edge; every fifth is one of the pixel clock.
+void SimulatedBoard::shift() {
+    for (shift_time_ += shift_khz; shift_time_ >= std::uint64_t(shape_.khz);
+         shift_time_ -= std::uint64_t(shape_.khz)) {
+        receiver_.pairs(std::uint32_t(tmds_));
+        shift_clk_ = 1;
+        pixel_clk_ = ++shift_edges_ % 5 == 0;
+        rtl_.settle();
+        shift_clk_ = 0, pixel_clk_ = 0;
+        rtl_.settle();
+    }
+}
+
+void SimulatedBoard::step() {
+    rx_ = from_host_.level(cycle_);
+    rtl_.settle();
+    if (shape_.is_lit) shift();
+    to_host_.see(cycle_, tx_ != 0);
+    // The SDRAM's clock is inverted: it sees the pins in the middle of the cycle.
+    sdram_.clock({cke_ != 0, cs_ != 0, ras_ != 0, cas_ != 0, we_ != 0, std::uint32_t(ba_), std::uint32_t(a_),
+                  std::uint32_t(dqm_), dq_oe_ != 0, std::uint16_t(dq_out_)});
+    dq_in_ = sdram_.dq().value_or(std::uint16_t(0xdead));
+    rtl_.clock();
+    ++cycle_;
+}
+
+Channel::Moved SimulatedBoard::exchange(std::span<const std::uint8_t> out, std::span<std::uint8_t> in,
+                                        LinkTime most) {
+    for (const std::uint8_t byte : out) from_host_.bytes.push_back(byte);
+    const std::uint64_t end = cycle_ + std::uint64_t(most.count()) * std::uint64_t(shape_.khz) / 1000;
+    while (cycle_ < end && to_host_.bytes.empty()) step();
+    Moved moved{out.size(), 0};
+    for (; moved.read < in.size() && !to_host_.bytes.empty(); ++moved.read) {
+        in[moved.read] = to_host_.bytes.front();
+        to_host_.bytes.pop_front();
+    }
+    return moved;
+}
+
+LinkTime SimulatedBoard::now() { return LinkTime(cycle_ * 1000 / std::uint64_t(shape_.khz)); }
+
+void SimulatedBoard::watch(std::uint64_t pictures) {
+    const std::uint64_t until = screen_.frames() + pictures;
+    // A whole picture takes 16.8 ms; after a change it may take two until the next whole one.
+    const std::uint64_t limit = cycle_ + (pictures + 2) * 17 * std::uint64_t(shape_.khz);
+    while (screen_.frames() < until && cycle_ < limit) step();
+}
+
+}   // namespace rayclock

@@ -1,0 +1,69 @@
+#pragma once
+// The board in simulation: rc_board under Verilator, with its SDRAM, its screen and the wires of its UART.
+#include <deque>
+#include <memory>
+#include <string>
+
+#include "model/core/config.hpp"
+#include "sim/board/link.hpp"
+#include "sim/board/screen.hpp"
+#include "sim/board/sdram_chip.hpp"
+#include "sim/board/serial_line.hpp"
+#include "sim/run/rtl/rtl_module.hpp"
+#include "sim/run/rtl/signal.hpp"
+
+namespace rayclock {
+
+/// What the simulated board is made of.
+struct BoardShape {
+    int khz = 75'000;   ///< clock of the chip and of the SDRAM
+    std::uint32_t baud = 3'000'000;
+    std::string sdram = "as4c32m16sb";
+    int initial_wait_us = 200;   ///< of the SDRAM after power-on
+    bool is_lit = true;          ///< the screen is simulated, which costs time
+    int seed = 1;                ///< of registers without a reset
+};
+
+/// rtl/board/rc_board.sv from pin to pin. The host's end of the UART is the channel, whose time is that of
+/// the simulation. The board is switched on by the constructor.
+class SimulatedBoard : public Channel {
+public:
+    /// Builds the RTL if necessary. Throws UserError if the board cannot have this chip.
+    SimulatedBoard(const Config& config, const BoardShape& shape);
+
+    /// Simulates until a byte has arrived and nothing is left to send, or for the given time.
+    Moved exchange(std::span<const std::uint8_t> out, std::span<std::uint8_t> in, LinkTime most) override;
+    LinkTime now() override;
+
+    /// One cycle of the chip.
+    void step();
+    /// Simulates until the screen has shown that many more whole pictures.
+    void watch(std::uint64_t pictures);
+
+    std::uint64_t cycle() const { return cycle_; }
+    std::uint8_t leds() const { return std::uint8_t(led_); }
+    const SdramChip& sdram() const { return sdram_; }
+    const Screen& screen() const { return screen_; }
+    const TmdsReceiver& receiver() const { return receiver_; }
+    /// The wires of the UART with their bytes on the way: from the host, to the host.
+    SerialSender& from_host() { return from_host_; }
+    SerialReceiver& to_host() { return to_host_; }
+
+private:
+    void shift();
+
+    BoardShape shape_;
+    RtlModule rtl_;
+    SdramChip sdram_;
+    Screen screen_;
+    TmdsReceiver receiver_;
+    SerialSender from_host_;
+    SerialReceiver to_host_;
+    std::uint64_t cycle_ = 0, shift_time_ = 0, shift_edges_ = 0;
+
+    Signal rx_, tx_, led_, tmds_;
+    Signal pixel_clk_, pixel_rst_, shift_clk_, shift_rst_;
+    Signal cke_, cs_, ras_, cas_, we_, ba_, a_, dqm_, dq_oe_, dq_out_, dq_in_;
+};
+
+}   // namespace rayclock
