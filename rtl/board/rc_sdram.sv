@@ -1,0 +1,371 @@
+// Controller of one 16-bit SDR SDRAM. It reads and writes lines of 64 bytes: four bursts of eight
+// beats, 32 clocks on the data bus. Rows stay open. Requests are served in order.
+//
+// Two requests are held: the current one, and the next. While the current line moves, the row of
+// the next one is precharged and activated if its bank differs, so a stream of lines in open rows
+// or in different banks fills every clock of the bus. One command is decided per cycle:
+//   1. the next column command of the current line, 8 clocks after the last one;
+//   2. a precharge or an activation for the current line;
+//   3. a precharge or an activation for the next line.
+// When a refresh is due, the line in progress is finished, all banks are precharged, and all rows
+// wait until the refresh has ended.
+//
+// A line's number is {row, bank, line of the row}. Beat 2k is the lower half of word k.
+//
+// Timing. A command that is decided in cycle d is on the pins in cycle d + 1. Write data are taken
+// in the cycle of the decision and in the seven that follow. Read data are captured at the end of
+// cycle d + Cl + ReadDelay and are on rd_data_o one cycle later. With the clock of the SDRAM
+// inverted, ReadDelay is 0; with that clock in phase it is 1. The gates are in ps, and the module
+// computes clocks from them, rounded up. model/board/sdram.hpp is the model.
+`default_nettype none
+module rc_sdram #(
+  parameter  int unsigned ClkKhz     = 75_000,
+  parameter  int unsigned RowBits    = 13,
+  parameter  int unsigned ColumnBits = 10,
+  parameter  int unsigned Cl         = 2,
+  parameter  int unsigned RcdPs      = 21_000,
+  parameter  int unsigned RpPs       = 21_000,
+  parameter  int unsigned RasPs      = 42_000,
+  parameter  int unsigned RcPs       = 63_000,
+  parameter  int unsigned RrdPs      = 14_000,
+  parameter  int unsigned WrPs       = 14_000,
+  parameter  int unsigned WrClocks   = 2,          // and at least so many clocks
+  parameter  int unsigned RfcPs      = 63_000,
+  parameter  int unsigned RefiPs     = 7_800_000,
+  parameter  int unsigned MrdClocks  = 2,
+  parameter  int unsigned InitUs     = 200,
+  parameter  int unsigned InitRefreshes = 8,
+  parameter  int unsigned ReadDelay  = 0,
+  parameter  int unsigned TagW       = 8,
+  localparam int unsigned InRowW     = ColumnBits - 5,
+  localparam int unsigned LineW      = RowBits + 2 + InRowW
+) (
+  input  logic             clk_i,
+  input  logic             rst_ni,
+  output logic             init_done_o,
+  // Requests
+  input  logic             req_valid_i,
+  output logic             req_ready_o,
+  input  logic             req_write_i,
+  input  logic [LineW-1:0] req_addr_i,
+  input  logic [TagW-1:0]  req_tag_i,
+  // Write data: taken in each cycle of wr_next_o
+  output logic             wr_next_o,
+  output logic [TagW-1:0]  wr_tag_o,
+  input  logic [15:0]      wr_data_i,
+  input  logic [1:0]       wr_mask_i,   // 1: the byte is not written
+  // Read data
+  output logic             rd_valid_o,
+  output logic             rd_last_o,
+  output logic [TagW-1:0]  rd_tag_o,
+  output logic [15:0]      rd_data_o,
+  // Pins
+  output logic             sd_cke_o,
+  output logic             sd_cs_no,
+  output logic             sd_ras_no,
+  output logic             sd_cas_no,
+  output logic             sd_we_no,
+  output logic [1:0]       sd_ba_o,
+  output logic [12:0]      sd_a_o,
+  output logic [1:0]       sd_dqm_o,
+  output logic [15:0]      sd_dq_o,
+  output logic             sd_dq_oe_o,
+  input  logic [15:0]      sd_dq_i
+);
+  // ---- Gates in clocks. The shorter bound of the period makes gates longer, the longer bound
+  // makes the interval of refreshes shorter.
+  localparam int unsigned ShortPs   = 1_000_000_000 / ClkKhz;
+  localparam int unsigned LongPs    = (1_000_000_000 + ClkKhz - 1) / ClkKhz;
+  localparam int unsigned Rcd       = (RcdPs + ShortPs - 1) / ShortPs;
+  localparam int unsigned Rp        = (RpPs + ShortPs - 1) / ShortPs;
+  localparam int unsigned RasOnly   = (RasPs + ShortPs - 1) / ShortPs;
+  localparam int unsigned Rc        = (RcPs + ShortPs - 1) / ShortPs;
+  localparam int unsigned Ras       = RasOnly + Rp < Rc ? Rc - Rp : RasOnly;   // implies tRC
+  localparam int unsigned Rrd       = (RrdPs + ShortPs - 1) / ShortPs;
+  localparam int unsigned WrOnly    = (WrPs + ShortPs - 1) / ShortPs;
+  localparam int unsigned Wr        = WrOnly < WrClocks ? WrClocks : WrOnly;
+  localparam int unsigned Rfc       = (RfcPs + ShortPs - 1) / ShortPs;
+  localparam int unsigned Refi      = RefiPs / LongPs;
+  localparam int unsigned InitWait  = (InitUs * 1_000_000 + ShortPs - 1) / ShortPs;
+  localparam int unsigned Burst     = 8;
+  localparam int unsigned Turn      = Cl + Burst + 1;  // from a read to a write: one idle clock
+
+  localparam int unsigned InitW     = $clog2(InitWait + 1);
+  localparam int unsigned RefiW     = $clog2(Refi);
+  localparam int unsigned LongWait  = Rfc > Rp ? (Rfc > Rcd ? Rfc : Rcd) : (Rp > Rcd ? Rp : Rcd);
+  localparam int unsigned WaitW     = $clog2(LongWait + 1);
+  localparam int unsigned LongPre   = Burst + Wr > Ras ? Burst + Wr : Ras;
+  localparam int unsigned PreW      = $clog2(LongPre + 1);
+  localparam int unsigned RrdW      = $clog2(Rrd + 1);
+  localparam int unsigned TurnW     = $clog2(Turn + 1);
+  localparam int unsigned ReadDepth = 1 + Cl + ReadDelay;  // from the decision to the data
+
+  if (Cl < 2 || Cl > 3) begin : gen_refuse_cl
+    $error("rc_sdram: Cl must be 2 or 3");
+  end
+  if (RowBits > 13 || ColumnBits < 6 || ColumnBits > 10) begin : gen_refuse_size
+    $error("rc_sdram: RowBits must be at most 13, and ColumnBits 6 to 10");
+  end
+  if (Ras > Rcd + Burst) begin : gen_refuse_ras
+    $error("rc_sdram: a burst must end after tRAS");
+  end
+  if (Refi < 2 * (32 + LongPre + Rp + Rfc + Turn)) begin : gen_refuse_refi
+    $error("rc_sdram: tREFI must leave time for a line");
+  end
+
+  // Commands: {RAS, CAS, WE}, all active low.
+  localparam logic [2:0] CmdMode      = 3'b000;
+  localparam logic [2:0] CmdRefresh   = 3'b001;
+  localparam logic [2:0] CmdPrecharge = 3'b010;
+  localparam logic [2:0] CmdActivate  = 3'b011;
+  localparam logic [2:0] CmdWrite     = 3'b100;
+  localparam logic [2:0] CmdRead      = 3'b101;
+  localparam logic [2:0] CmdNop       = 3'b111;
+
+  localparam logic [2:0]  ClCode = 3'(Cl);
+  localparam logic [12:0] Mode   = {6'd0, ClCode, 1'b0, 3'b011};  // burst of 8, sequential
+
+  // ---- Initialisation: wait, precharge all, refreshes, mode register.
+  localparam int unsigned StepW = $clog2(InitRefreshes + 3);
+  logic             run_q;
+  logic [InitW-1:0] init_q;   // clocks until the next step
+  logic [StepW-1:0] step_q;
+  logic             init_step, init_precharge, init_mode, init_ends;
+
+  assign init_step      = !run_q && init_q == '0;
+  assign init_precharge = step_q == '0;
+  assign init_mode      = step_q == StepW'(InitRefreshes + 1);
+  assign init_ends      = step_q == StepW'(InitRefreshes + 2);
+  assign init_done_o    = run_q;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      run_q  <= 1'b0;
+      init_q <= InitW'(InitWait);
+      step_q <= '0;
+    end else if (init_step) begin
+      run_q  <= init_ends;
+      step_q <= step_q + 1'b1;
+      init_q <= InitW'(init_precharge ? Rp - 1 : init_mode ? MrdClocks - 1 : Rfc - 1);
+    end else if (!run_q) begin
+      init_q <= init_q - 1'b1;
+    end
+  end
+
+  // ---- Requests: the current and the next.
+  logic               cur_valid_q, cur_write_q, nxt_valid_q, nxt_write_q;
+  logic [RowBits-1:0] cur_row_q, nxt_row_q;
+  logic [1:0]         cur_bank_q, nxt_bank_q;
+  logic [InRowW-1:0]  cur_line_q, nxt_line_q;
+  logic [TagW-1:0]    cur_tag_q, nxt_tag_q;
+  logic [1:0]         cur_burst_q;   // column commands given
+  logic               take, cur_ends, col_fires;
+
+  assign req_ready_o = run_q && !nxt_valid_q;
+  assign take        = req_valid_i && req_ready_o;
+  assign cur_ends    = col_fires && cur_burst_q == 2'd3;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      cur_valid_q <= 1'b0;
+      nxt_valid_q <= 1'b0;
+      cur_burst_q <= '0;
+    end else begin
+      cur_burst_q <= cur_burst_q + 2'(col_fires);
+      if (!cur_valid_q || cur_ends) begin
+        cur_valid_q <= nxt_valid_q || take;
+        nxt_valid_q <= 1'b0;
+      end else if (take) begin
+        nxt_valid_q <= 1'b1;
+      end
+    end
+    if (!cur_valid_q || cur_ends) begin
+      {cur_row_q, cur_bank_q, cur_line_q} <= nxt_valid_q ? {nxt_row_q, nxt_bank_q, nxt_line_q}
+                                                         : req_addr_i;
+      cur_write_q <= nxt_valid_q ? nxt_write_q : req_write_i;
+      cur_tag_q   <= nxt_valid_q ? nxt_tag_q : req_tag_i;
+    end
+    if (!nxt_valid_q) begin
+      {nxt_row_q, nxt_bank_q, nxt_line_q} <= req_addr_i;
+      nxt_write_q <= req_write_i;
+      nxt_tag_q   <= req_tag_i;
+    end
+  end
+
+  // ---- Refresh.
+  logic             due_q, stops, refreshes, closes_all;
+  logic [RefiW-1:0] refi_q;
+
+  assign stops = due_q && cur_burst_q == '0;   // no line is in progress
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || !run_q) begin
+      refi_q <= RefiW'(Refi - 1);
+      due_q  <= 1'b0;
+    end else begin
+      refi_q <= refi_q == '0 ? RefiW'(Refi - 1) : refi_q - 1'b1;
+      due_q  <= refi_q == '0 || (due_q && !refreshes);
+    end
+  end
+
+  // ---- Banks. wait_q: clocks until a closed bank may be activated, or until an open one may be
+  // read or written. pre_q: clocks until an open bank may be precharged.
+  logic [3:0]         open_q, wait_ends, pre_ends, activates, precharges, columns;
+  logic [RowBits-1:0] row_q [4];
+  logic [RrdW-1:0]    rrd_q;
+  logic               activate, precharge;
+  logic [1:0]         row_bank;    // of an activation or a precharge
+  logic [RowBits-1:0] row;
+
+  assign activates  = {3'd0, activate} << row_bank;
+  assign precharges = closes_all ? 4'hf : {3'd0, precharge} << row_bank;
+  assign columns    = {3'd0, col_fires} << cur_bank_q;
+
+  for (genvar b = 0; b < 4; b++) begin : gen_bank
+    logic [WaitW-1:0] wait_q;
+    logic [PreW-1:0]  pre_q;
+    assign wait_ends[b] = wait_q == '0;
+    assign pre_ends[b]  = pre_q == '0;
+
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni)            wait_q <= '0;
+      else if (refreshes)     wait_q <= WaitW'(Rfc - 1);
+      else if (precharges[b]) wait_q <= WaitW'(Rp - 1);
+      else if (activates[b])  wait_q <= WaitW'(Rcd - 1);
+      else if (!wait_ends[b]) wait_q <= wait_q - 1'b1;
+
+      if (!rst_ni)            pre_q <= '0;
+      else if (activates[b])  pre_q <= PreW'(Ras - 1);
+      else if (columns[b])    pre_q <= PreW'(cur_write_q ? Burst + Wr - 2 : Burst - 1);
+      else if (!pre_ends[b])  pre_q <= pre_q - 1'b1;
+
+      if (!rst_ni)            open_q[b] <= 1'b0;
+      else if (activates[b])  open_q[b] <= 1'b1;
+      else if (precharges[b]) open_q[b] <= 1'b0;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (activate) row_q[row_bank] <= row;
+    if (!rst_ni)          rrd_q <= '0;
+    else if (activate)    rrd_q <= RrdW'(Rrd - 1);
+    else if (rrd_q != '0) rrd_q <= rrd_q - 1'b1;
+  end
+
+  // ---- Beats of the burst in progress, and the turn of the bus from reads to writes.
+  logic [2:0]       beats_q;   // beats after this cycle's
+  logic             beats_busy, beats_write_q, beats_last_q;
+  logic [TagW-1:0]  beats_tag_q, beats_tag;
+  logic [TurnW-1:0] turn_q;
+
+  assign beats_busy = beats_q != '0;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni)         beats_q <= '0;
+    else if (col_fires)  beats_q <= 3'(Burst - 1);
+    else if (beats_busy) beats_q <= beats_q - 1'b1;
+    if (col_fires) begin
+      beats_write_q <= cur_write_q;
+      beats_last_q  <= cur_burst_q == 2'd3;
+      beats_tag_q   <= cur_tag_q;
+    end
+    if (!rst_ni)                        turn_q <= '0;
+    else if (col_fires && !cur_write_q) turn_q <= TurnW'(Turn - 1);
+    else if (turn_q != '0)              turn_q <= turn_q - 1'b1;
+  end
+
+  // ---- Decision.
+  logic [RowBits-1:0] cur_open_row, nxt_open_row;
+  logic               cur_row_is_open, nxt_row_is_open, cur_acts, nxt_acts;
+  logic               cur_activates, cur_precharges, nxt_activates, nxt_precharges;
+
+  assign cur_open_row    = row_q[cur_bank_q];
+  assign nxt_open_row    = row_q[nxt_bank_q];
+  assign cur_row_is_open = open_q[cur_bank_q] && cur_open_row == cur_row_q;
+  assign nxt_row_is_open = open_q[nxt_bank_q] && nxt_open_row == nxt_row_q;
+
+  assign col_fires = cur_valid_q && !stops && cur_row_is_open && wait_ends[cur_bank_q]
+                  && !beats_busy && (!cur_write_q || turn_q == '0);
+
+  assign cur_acts       = cur_valid_q && !stops && !cur_row_is_open;
+  assign cur_activates  = cur_acts && !open_q[cur_bank_q] && wait_ends[cur_bank_q] && rrd_q == '0;
+  assign cur_precharges = cur_acts && open_q[cur_bank_q] && pre_ends[cur_bank_q];
+
+  assign nxt_acts       = nxt_valid_q && !due_q && !nxt_row_is_open && nxt_bank_q != cur_bank_q
+                       && !col_fires && !cur_activates && !cur_precharges;
+  assign nxt_activates  = nxt_acts && !open_q[nxt_bank_q] && wait_ends[nxt_bank_q] && rrd_q == '0;
+  assign nxt_precharges = nxt_acts && open_q[nxt_bank_q] && pre_ends[nxt_bank_q];
+
+  assign closes_all = stops && open_q != '0 && pre_ends == '1;
+  assign refreshes  = stops && open_q == '0 && wait_ends == '1;
+  assign activate   = cur_activates || nxt_activates;
+  assign precharge  = cur_precharges || nxt_precharges;
+  assign row_bank   = cur_activates || cur_precharges ? cur_bank_q : nxt_bank_q;
+  assign row        = cur_activates ? cur_row_q : nxt_row_q;
+
+  // ---- Pins.
+  logic [2:0] command, command_q;
+
+  always_comb begin
+    command = CmdNop;
+    if (init_step && !init_ends)
+      command = init_precharge ? CmdPrecharge : init_mode ? CmdMode : CmdRefresh;
+    if (closes_all || precharge) command = CmdPrecharge;
+    if (refreshes)               command = CmdRefresh;
+    if (activate)                command = CmdActivate;
+    if (col_fires)               command = cur_write_q ? CmdWrite : CmdRead;
+  end
+
+  always_ff @(posedge clk_i) begin
+    command_q <= rst_ni ? command : CmdNop;
+    sd_cke_o  <= rst_ni;
+    sd_cs_no  <= !rst_ni;
+    sd_ba_o   <= col_fires ? cur_bank_q : !run_q ? '0 : row_bank;
+    // A10 is high in a precharge of all banks, and low in other precharges and column commands.
+    sd_a_o    <= !run_q     ? (init_mode ? Mode : 13'h400)
+               : col_fires  ? 13'({cur_line_q, cur_burst_q, 3'd0})
+               : closes_all ? 13'h400
+               : activate   ? 13'(row)
+               : '0;
+  end
+  assign {sd_ras_no, sd_cas_no, sd_we_no} = command_q;
+
+  // Write data.
+  assign beats_tag = beats_busy ? beats_tag_q : cur_tag_q;
+  assign wr_next_o = beats_busy ? beats_write_q : col_fires && cur_write_q;
+  assign wr_tag_o  = beats_tag;
+
+  always_ff @(posedge clk_i) begin
+    sd_dq_oe_o <= rst_ni && wr_next_o;
+    sd_dq_o    <= wr_data_i;
+    sd_dqm_o   <= !run_q ? '1 : wr_next_o ? wr_mask_i : '0;
+  end
+
+  // Read data.
+  localparam int unsigned ReadW = TagW + 2;
+  logic [ReadDepth*ReadW-1:0] reads_q;
+  logic [ReadW-1:0]           read;
+  logic                       read_beat, read_last;
+  logic [15:0]                dq_q;
+
+  assign read_beat = rst_ni && (beats_busy ? !beats_write_q : col_fires && !cur_write_q);
+  assign read_last = beats_q == 3'd1 && beats_last_q;
+  assign read      = {read_beat, read_last, beats_tag};
+
+  always_ff @(posedge clk_i) begin
+    dq_q    <= sd_dq_i;
+    reads_q <= {reads_q[0 +: (ReadDepth-1)*ReadW], read};
+  end
+
+  assign {rd_valid_o, rd_last_o, rd_tag_o} = reads_q[(ReadDepth-1)*ReadW +: ReadW];
+  assign rd_data_o = dq_q;
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && run_q)
+      assert (!(due_q && refi_q == '0))
+        else $error("rc_sdram: a refresh is due before the last one was given");
+  end
+`endif
+endmodule
+`default_nettype wire
