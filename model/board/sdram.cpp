@@ -71,8 +71,9 @@ SdramPins Sdram::pins_of_decision() const {
     SdramPins pins;
     pins.cke = pins.selected = true;
     pins.command = decision_.command;
-    pins.bank = decision_.bank;
     pins.drives = write_beat().valid;
+    if (decision_.command == SdramCommand::nop) return pins;
+    pins.bank = decision_.bank;
     if (reads_or_writes()) pins.address = current_.column + std::uint32_t(burst * bursts_);
     if (decision_.command == SdramCommand::activate) pins.address = decision_.row;
     if (decision_.all) pins.address = all_banks;

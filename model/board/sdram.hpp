@@ -19,9 +19,10 @@ enum class SdramCommand : std::uint8_t {
     nop = 7
 };
 
-/// The pins of a cycle, without data and masks. `bank` and `address` have a meaning only with a command.
+/// The pins of a cycle, without data and masks. Without a command `bank` and `address` are 0, except that the
+/// RTL drives an address throughout the initialisation.
 struct SdramPins {
-    bool cke = false, selected = false;   ///< CKE; chip select, active high here
+    bool cke = true, selected = false;   ///< CKE; chip select, active high here
     SdramCommand command = SdramCommand::nop;
     std::uint32_t bank = 0, address = 0;
     bool drives = false;   ///< the controller drives DQ

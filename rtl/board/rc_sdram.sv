@@ -318,11 +318,11 @@ module rc_sdram #(
 
   always_ff @(posedge clk_i) begin
     command_q <= rst_ni ? command : CmdNop;
-    sd_cke_o  <= rst_ni;
+    sd_cke_o  <= 1'b1;   // also in a reset, so that a burst in flight ends
     sd_cs_no  <= !rst_ni;
-    sd_ba_o   <= col_fires ? cur_bank_q : !run_q ? '0 : row_bank;
+    sd_ba_o   <= col_fires ? cur_bank_q : activate || precharge ? row_bank : '0;
     // A10 is high in a precharge of all banks, and low in other precharges and column commands.
-    sd_a_o    <= !run_q     ? (init_mode ? Mode : 13'h400)
+    sd_a_o    <= !run_q     ? (init_mode ? Mode : init_ends ? '0 : 13'h400)
                : col_fires  ? 13'({cur_line_q, cur_burst_q, 3'd0})
                : closes_all ? 13'h400
                : activate   ? 13'(row)

@@ -50,7 +50,7 @@ public:
         check_answers();
 
         const SdramChipPins pins = pins_.get();
-        require_same_pins(cycle, pins, model.sdram().pins());
+        require_same_pins(cycle, pins, model.sdram());
         chip.clock(pins);
         const std::optional<std::uint16_t> dq = chip.dq();
         pins_.set_dq(dq ? *dq : std::uint16_t(draw.bits(16)));

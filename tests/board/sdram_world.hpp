@@ -68,17 +68,16 @@ inline SdramChipPins chip_pins(const SdramPins& pins) {
             pins.drives,     0};
 }
 
-/// Compares the pins of RTL and model. Bank and address have a meaning only with some commands.
-inline void require_same_pins(std::uint64_t cycle, const SdramChipPins& rtl, const SdramPins& model) {
+/// Compares the pins of RTL and model.
+inline void require_same_pins(std::uint64_t cycle, const SdramChipPins& rtl, const Sdram& sdram) {
+    const SdramPins& model = sdram.pins();
     same(cycle, "cke", rtl.cke, model.cke);
     same(cycle, "cs", rtl.cs_n, !model.selected);
-    const int code = rtl.ras_n << 2 | rtl.cas_n << 1 | int(rtl.we_n);
-    same(cycle, "command", std::uint64_t(code), std::uint64_t(model.command));
+    same(cycle, "command", std::uint64_t(rtl.ras_n << 2 | rtl.cas_n << 1 | int(rtl.we_n)),
+         std::uint64_t(model.command));
     same(cycle, "oe", rtl.driven, model.drives);
-    if (model.command == SdramCommand::nop || model.command == SdramCommand::refresh) return;
-    same(cycle, "a", rtl.a, model.address);
-    const bool all = model.command == SdramCommand::precharge && (model.address & 0x400);
-    if (!all) same(cycle, "ba", rtl.ba, model.bank);
+    same(cycle, "ba", rtl.ba, model.bank);
+    if (model.command != SdramCommand::nop || sdram.init_done()) same(cycle, "a", rtl.a, model.address);
 }
 
 using LineBeats = std::array<std::uint16_t, 32>;
@@ -176,7 +175,7 @@ public:
         take_write_beat();
         check_read_beat();
         const SdramChipPins pins = pins_.get();
-        require_same_pins(cycle, pins, model.pins());
+        require_same_pins(cycle, pins, model);
         std::optional<std::uint16_t> dq = chip.dq();
         chip.clock(pins);
         if (read_delay_ == 0) dq = chip.dq();
