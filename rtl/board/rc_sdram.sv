@@ -338,7 +338,7 @@ module rc_sdram #(
   always_ff @(posedge clk_i) begin
     sd_dq_oe_o <= rst_ni && wr_next_o;
     sd_dq_o    <= wr_data_i;
-    sd_dqm_o   <= !run_q ? '1 : wr_next_o ? wr_mask_i : '0;
+    sd_dqm_o   <= !rst_ni || !run_q ? '1 : wr_next_o ? wr_mask_i : '0;
   end
 
   // Read data.
@@ -348,13 +348,13 @@ module rc_sdram #(
   logic                       read_beat, read_last;
   logic [15:0]                dq_q;
 
-  assign read_beat = rst_ni && (beats_busy ? !beats_write_q : col_fires && !cur_write_q);
+  assign read_beat = beats_busy ? !beats_write_q : col_fires && !cur_write_q;
   assign read_last = beats_q == 3'd1 && beats_last_q;
   assign read      = {read_beat, read_last, beats_tag};
 
   always_ff @(posedge clk_i) begin
     dq_q    <= sd_dq_i;
-    reads_q <= {reads_q[0 +: (ReadDepth-1)*ReadW], read};
+    reads_q <= rst_ni ? {reads_q[0 +: (ReadDepth-1)*ReadW], read} : '0;
   end
 
   assign {rd_valid_o, rd_last_o, rd_tag_o} = reads_q[(ReadDepth-1)*ReadW +: ReadW];
