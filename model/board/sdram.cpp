@@ -31,35 +31,45 @@ Sdram::Held Sdram::decode(const Request& request) const {
     return held;
 }
 
-/// Returns the activation or precharge that a request needs, if its gates allow it in this cycle.
+/// Returns the activation or precharge that the selected request needs, if its gates allow it in this cycle.
 Sdram::Decision Sdram::decide_row(const Held& request) const {
     const Bank& bank = banks_[request.bank];
     Decision d{SdramCommand::nop, request.bank, request.row, false};
     if (!bank.open && bank.wait == 0 && rrd_ == 0) d.command = SdramCommand::activate;
-    if (bank.open && bank.row != request.row && bank.precharge == 0) d.command = SdramCommand::precharge;
+    if (bank.open && known_ && !equal_ && bank.precharge == 0) d.command = SdramCommand::precharge;
     return d;
+}
+
+Sdram::Decision Sdram::decide_refresh() const {
+    const bool open = std::ranges::any_of(banks_, [](const Bank& b) { return b.open; });
+    const auto ends = [](const Bank& b) { return b.precharge == 0; };
+    const auto waits = [](const Bank& b) { return b.wait != 0; };
+    if (open && std::ranges::all_of(banks_, ends)) return {SdramCommand::precharge, 0, 0, true};
+    if (!open && std::ranges::none_of(banks_, waits)) return {SdramCommand::refresh, 0, 0, false};
+    return {};
 }
 
 Sdram::Decision Sdram::decide() const {
     if (!runs_) return {};
-    if (due_ && bursts_ == 0) {
-        const bool open = std::ranges::any_of(banks_, [](const Bank& b) { return b.open; });
-        const auto ends = [](const Bank& b) { return b.precharge == 0; };
-        const auto waits = [](const Bank& b) { return b.wait != 0; };
-        if (open && std::ranges::all_of(banks_, ends)) return {SdramCommand::precharge, 0, 0, true};
-        if (!open && std::ranges::none_of(banks_, waits)) return {SdramCommand::refresh, 0, 0, false};
-        return {};
+    const SdramCommand column = current_.is_write ? SdramCommand::write : SdramCommand::read;
+    if (bursts_ > 0) {   // row commands serve the next request, between the column commands of this one
+        if (beats_ == 0) return {column, current_.bank, 0, false};
+        return next_valid_ && !due_ ? decide_row(next_) : Decision{};
     }
+    if (due_) return decide_refresh();
     if (!current_valid_) return {};
     const Bank& bank = banks_[current_.bank];
-    if (bank.open && bank.row == current_.row) {
-        if (bank.wait == 0 && beats_ == 0 && (!current_.is_write || turn_ == 0))
-            return {current_.is_write ? SdramCommand::write : SdramCommand::read, current_.bank, 0, false};
-    } else if (const Decision d = decide_row(current_); d.command != SdramCommand::nop) {
-        return d;
-    }
-    if (next_valid_ && !due_ && next_.bank != current_.bank) return decide_row(next_);
-    return {};
+    if (known_ && equal_ && bank.open && bank.wait == 0 && beats_ == 0 && (!current_.is_write || turn_ == 0))
+        return {column, current_.bank, 0, false};
+    return decide_row(current_);
+}
+
+/// Compares the row of the selected request with that of its bank, for the next cycle.
+void Sdram::compare_row() {
+    const bool first = bursts_ == 0;
+    const Held& selected = first ? current_ : next_;
+    known_ = (first ? current_valid_ : next_valid_) && !(first && reads_or_writes());
+    equal_ = decision_.command == SdramCommand::activate || banks_[selected.bank].row == selected.row;
 }
 
 Sdram::Beat Sdram::write_beat() const {
@@ -166,6 +176,7 @@ void Sdram::clock(const Request* request) {
         return;
     }
     move_beats();
+    compare_row();
     change_banks();
     const bool refreshes = decision_.command == SdramCommand::refresh;
     refreshes_ += refreshes;

@@ -86,6 +86,8 @@ private:
     Held decode(const Request& request) const;
     Decision decide() const;
     Decision decide_row(const Held& request) const;
+    Decision decide_refresh() const;
+    void compare_row();
     bool reads_or_writes() const {
         return decision_.command == SdramCommand::read || decision_.command == SdramCommand::write;
     }
@@ -100,7 +102,8 @@ private:
     int init_wait_, init_step_ = 0;
     Held current_, next_;
     bool current_valid_ = false, next_valid_ = false;
-    int bursts_ = 0;   // column commands given of the current line
+    int bursts_ = 0;                       // column commands given of the current line
+    bool known_ = false, equal_ = false;   // the selected request's row was compared; it is the bank's last
     std::array<Bank, 4> banks_{};
     int rrd_ = 0, turn_ = 0, refi_;
     bool due_ = false;

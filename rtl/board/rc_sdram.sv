@@ -1,12 +1,10 @@
 // Controller of one 16-bit SDR SDRAM. It reads and writes lines of 64 bytes: four bursts of eight
 // beats, 32 clocks on the data bus. Rows stay open. Requests are served in order.
 //
-// Two requests are held: the current one, and the next. While the current line moves, the row of
-// the next one is precharged and activated if its bank differs, so a stream of lines in open rows
-// or in different banks fills every clock of the bus. One command is decided per cycle:
-//   1. the next column command of the current line, 8 clocks after the last one;
-//   2. a precharge or an activation for the current line;
-//   3. a precharge or an activation for the next line.
+// Two requests are held: the current one, and the next. Until the first column command of the
+// current line, row commands serve that line. After it they serve the next line, between the
+// column commands. So the row of the next line is precharged and activated while the current line
+// moves, and a stream of lines in open rows or in different banks fills every clock of the bus.
 // When a refresh is due, the line in progress is finished, all banks are precharged, and all rows
 // wait until the refresh has ended.
 //
@@ -14,7 +12,8 @@
 //
 // Timing. A command that is decided in cycle d is on the pins in cycle d + 1. Write data are taken
 // in the cycle of the decision and in the seven that follow. Read data are captured at the end of
-// cycle d + Cl + ReadDelay and are on rd_data_o one cycle later. With the clock of the SDRAM
+// cycle d + Cl + ReadDelay and are on rd_data_o one cycle later. The comparison of a request's row
+// with the open row of its bank takes a cycle, which a waiting request has to spare. With the clock of the SDRAM
 // inverted, ReadDelay is 0; with that clock in phase it is 1. The gates are in ps, and the module
 // computes clocks from them, rounded up. model/board/sdram.hpp is the model.
 `default_nettype none
@@ -193,10 +192,11 @@ module rc_sdram #(
   end
 
   // ---- Refresh.
-  logic             due_q, stops, refreshes, closes_all;
+  logic             due_q, stops, refreshes, closes_all, first;
   logic [RefiW-1:0] refi_q;
 
-  assign stops = due_q && cur_burst_q == '0;   // no line is in progress
+  assign first = cur_burst_q == '0;   // the current line has given no column command
+  assign stops = due_q && first;   // no line is in progress
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni || !run_q) begin
@@ -208,45 +208,64 @@ module rc_sdram #(
     end
   end
 
+  // ---- The request that row commands serve.
+  logic               sel_valid;
+  logic [RowBits-1:0] sel_row;
+  logic [1:0]         sel_bank;
+  logic               known_q;     // the row of the selected request has been compared
+  logic               equal_q;     // it is the one that the bank had last
+
+  assign sel_valid = first ? cur_valid_q : nxt_valid_q;
+  assign sel_row   = first ? cur_row_q : nxt_row_q;
+  assign sel_bank  = first ? cur_bank_q : nxt_bank_q;
+
   // ---- Banks. wait_q: clocks until a closed bank may be activated, or until an open one may be
-  // read or written. pre_q: clocks until an open bank may be precharged.
-  logic [3:0]         open_q, wait_ends, pre_ends, activates, precharges, columns;
+  // read or written. pre_q: clocks until an open bank may be precharged. Flags tell when these
+  // counters are 0.
+  logic [3:0]         open_q, wait_ends_q, pre_ends_q, activates, precharges, columns;
   logic [RowBits-1:0] row_q [4];
+  logic [RowBits-1:0] open_row;
   logic [RrdW-1:0]    rrd_q;
   logic               activate, precharge;
-  logic [1:0]         row_bank;    // of an activation or a precharge
-  logic [RowBits-1:0] row;
-
-  assign activates  = {3'd0, activate} << row_bank;
-  assign precharges = closes_all ? 4'hf : {3'd0, precharge} << row_bank;
-  assign columns    = {3'd0, col_fires} << cur_bank_q;
+  logic               activates_may, precharges_may;   // apart from the state of the bank
 
   for (genvar b = 0; b < 4; b++) begin : gen_bank
-    logic [WaitW-1:0] wait_q;
-    logic [PreW-1:0]  pre_q;
-    assign wait_ends[b] = wait_q == '0;
-    assign pre_ends[b]  = pre_q == '0;
+    logic [WaitW-1:0] wait_q, wait_next;
+    logic [PreW-1:0]  pre_q, pre_next;
+
+    assign activates[b]  = activates_may && sel_bank == 2'(b) && !open_q[b] && wait_ends_q[b];
+    assign precharges[b] = precharges_may && sel_bank == 2'(b) && open_q[b] && pre_ends_q[b];
+    assign columns[b]    = col_fires && cur_bank_q == 2'(b);
+
+    assign wait_next = refreshes                     ? WaitW'(Rfc - 1)
+                     : precharges[b] || closes_all   ? WaitW'(Rp - 1)
+                     : activates[b]                  ? WaitW'(Rcd - 1)
+                     : wait_ends_q[b]                ? '0
+                     : wait_q - 1'b1;
+    assign pre_next  = activates[b]  ? PreW'(Ras - 1)
+                     : columns[b]    ? PreW'(cur_write_q ? Burst + Wr - 2 : Burst - 1)
+                     : pre_ends_q[b] ? '0
+                     : pre_q - 1'b1;
 
     always_ff @(posedge clk_i) begin
-      if (!rst_ni)            wait_q <= '0;
-      else if (refreshes)     wait_q <= WaitW'(Rfc - 1);
-      else if (precharges[b]) wait_q <= WaitW'(Rp - 1);
-      else if (activates[b])  wait_q <= WaitW'(Rcd - 1);
-      else if (!wait_ends[b]) wait_q <= wait_q - 1'b1;
-
-      if (!rst_ni)            pre_q <= '0;
-      else if (activates[b])  pre_q <= PreW'(Ras - 1);
-      else if (columns[b])    pre_q <= PreW'(cur_write_q ? Burst + Wr - 2 : Burst - 1);
-      else if (!pre_ends[b])  pre_q <= pre_q - 1'b1;
-
-      if (!rst_ni)            open_q[b] <= 1'b0;
-      else if (activates[b])  open_q[b] <= 1'b1;
-      else if (precharges[b]) open_q[b] <= 1'b0;
+      wait_q         <= rst_ni ? wait_next : '0;
+      wait_ends_q[b] <= !rst_ni || wait_next == '0;
+      pre_q          <= rst_ni ? pre_next : '0;
+      pre_ends_q[b]  <= !rst_ni || pre_next == '0;
+      open_q[b]      <= rst_ni && (activates[b] || (open_q[b] && !precharges[b] && !closes_all));
     end
   end
 
+  assign activate  = activates != '0;
+  assign precharge = precharges != '0;
+  assign open_row  = row_q[sel_bank];
+
   always_ff @(posedge clk_i) begin
-    if (activate) row_q[row_bank] <= row;
+    if (activate) row_q[sel_bank] <= sel_row;
+    equal_q <= activate || open_row == sel_row;
+    // The first column command selects another request. The last one does not: the next request
+    // becomes the current one.
+    known_q <= rst_ni && sel_valid && !(col_fires && first);
     if (!rst_ni)          rrd_q <= '0;
     else if (activate)    rrd_q <= RrdW'(Rrd - 1);
     else if (rrd_q != '0) rrd_q <= rrd_q - 1'b1;
@@ -275,33 +294,20 @@ module rc_sdram #(
   end
 
   // ---- Decision.
-  logic [RowBits-1:0] cur_open_row, nxt_open_row;
-  logic               cur_row_is_open, nxt_row_is_open, cur_acts, nxt_acts;
-  logic               cur_activates, cur_precharges, nxt_activates, nxt_precharges;
+  logic cur_may, row_may;
 
-  assign cur_open_row    = row_q[cur_bank_q];
-  assign nxt_open_row    = row_q[nxt_bank_q];
-  assign cur_row_is_open = open_q[cur_bank_q] && cur_open_row == cur_row_q;
-  assign nxt_row_is_open = open_q[nxt_bank_q] && nxt_open_row == nxt_row_q;
+  // The row of the current line is open, and its bank may be read or written.
+  assign cur_may   = cur_valid_q && !due_q && known_q && equal_q && open_q[cur_bank_q]
+                  && wait_ends_q[cur_bank_q] && (!cur_write_q || turn_q == '0);
+  assign col_fires = !beats_busy && (!first || cur_may);
 
-  assign col_fires = cur_valid_q && !stops && cur_row_is_open && wait_ends[cur_bank_q]
-                  && !beats_busy && (!cur_write_q || turn_q == '0);
+  // During a burst the bank in use cannot be precharged: its pre_q is not 0.
+  assign row_may        = sel_valid && !due_q && (first || beats_busy);
+  assign activates_may  = row_may && rrd_q == '0;
+  assign precharges_may = row_may && known_q && !equal_q;
 
-  assign cur_acts       = cur_valid_q && !stops && !cur_row_is_open;
-  assign cur_activates  = cur_acts && !open_q[cur_bank_q] && wait_ends[cur_bank_q] && rrd_q == '0;
-  assign cur_precharges = cur_acts && open_q[cur_bank_q] && pre_ends[cur_bank_q];
-
-  assign nxt_acts       = nxt_valid_q && !due_q && !nxt_row_is_open && nxt_bank_q != cur_bank_q
-                       && !col_fires && !cur_activates && !cur_precharges;
-  assign nxt_activates  = nxt_acts && !open_q[nxt_bank_q] && wait_ends[nxt_bank_q] && rrd_q == '0;
-  assign nxt_precharges = nxt_acts && open_q[nxt_bank_q] && pre_ends[nxt_bank_q];
-
-  assign closes_all = stops && open_q != '0 && pre_ends == '1;
-  assign refreshes  = stops && open_q == '0 && wait_ends == '1;
-  assign activate   = cur_activates || nxt_activates;
-  assign precharge  = cur_precharges || nxt_precharges;
-  assign row_bank   = cur_activates || cur_precharges ? cur_bank_q : nxt_bank_q;
-  assign row        = cur_activates ? cur_row_q : nxt_row_q;
+  assign closes_all = stops && open_q != '0 && pre_ends_q == '1;
+  assign refreshes  = stops && open_q == '0 && wait_ends_q == '1;
 
   // ---- Pins.
   logic [2:0] command, command_q;
@@ -320,12 +326,12 @@ module rc_sdram #(
     command_q <= rst_ni ? command : CmdNop;
     sd_cke_o  <= 1'b1;   // also in a reset, so that a burst in flight ends
     sd_cs_no  <= !rst_ni;
-    sd_ba_o   <= col_fires ? cur_bank_q : activate || precharge ? row_bank : '0;
+    sd_ba_o   <= col_fires ? cur_bank_q : activate || precharge ? sel_bank : '0;
     // A10 is high in a precharge of all banks, and low in other precharges and column commands.
     sd_a_o    <= !run_q     ? (init_mode ? Mode : init_ends ? '0 : 13'h400)
                : col_fires  ? 13'({cur_line_q, cur_burst_q, 3'd0})
                : closes_all ? 13'h400
-               : activate   ? 13'(row)
+               : activate   ? 13'(sel_row)
                : '0;
   end
   assign {sd_ras_no, sd_cas_no, sd_we_no} = command_q;

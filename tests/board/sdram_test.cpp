@@ -176,8 +176,8 @@ TEST_CASE("a lone read of the SDRAM takes what its gates say, to the cycle", "[s
         rig.idle(20);
         return rig.last_beats.back() - accepted;
     };
-    const std::uint64_t open = std::uint64_t(1 + 1 + c.cl + 31);        // decision, pins, latency, beats
-    REQUIRE(latency(5) == open + std::uint64_t(c.rcd));                 // the bank was closed
+    const std::uint64_t open = std::uint64_t(1 + 1 + 1 + c.cl + 31);    // row, decision, pins, latency, beats
+    REQUIRE(latency(5) == open - 1 + std::uint64_t(c.rcd));             // the bank was closed
     REQUIRE(latency(6) == open);                                        // the row was open
     REQUIRE(latency(5 + rows) == open + std::uint64_t(c.rp + c.rcd));   // another row was open
 }
