@@ -35,7 +35,7 @@ Sdram::Held Sdram::decode(const Request& request) const {
 Sdram::Decision Sdram::decide_row(const Held& request) const {
     const Bank& bank = banks_[request.bank];
     Decision d{SdramCommand::nop, request.bank, request.row, false};
-    if (!bank.open && bank.wait == 0 && rrd_ == 0) d.command = SdramCommand::activate;
+    if (!bank.open && bank.wait == 0) d.command = SdramCommand::activate;
     if (bank.open && known_ && !equal_ && bank.precharge == 0) d.command = SdramCommand::precharge;
     return d;
 }
@@ -68,7 +68,7 @@ Sdram::Decision Sdram::decide() const {
 void Sdram::compare_row() {
     const bool first = bursts_ == 0;
     const Held& selected = first ? current_ : next_;
-    known_ = (first ? current_valid_ : next_valid_) && !(first && reads_or_writes());
+    known_ = first ? current_valid_ : next_valid_;
     equal_ = decision_.command == SdramCommand::activate || banks_[selected.bank].row == selected.row;
 }
 
@@ -134,8 +134,6 @@ void Sdram::change_banks() {
             default: break;
         }
     }
-    count_down(rrd_);
-    if (decision_.command == SdramCommand::activate) rrd_ = clocks_.rrd - 1;
 }
 
 void Sdram::move_beats() {
@@ -197,7 +195,6 @@ void Sdram::skip(std::uint64_t cycles) {
         clocks = std::uint64_t(clocks) > cycles ? clocks - int(cycles) : 0;
     };
     for (Bank& bank : banks_) reduce(bank.wait), reduce(bank.precharge);
-    reduce(rrd_);
     reduce(turn_);
     refi_ -= int(cycles);
 }

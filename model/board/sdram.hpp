@@ -105,7 +105,7 @@ private:
     int bursts_ = 0;                       // column commands given of the current line
     bool known_ = false, equal_ = false;   // the selected request's row was compared; it is the bank's last
     std::array<Bank, 4> banks_{};
-    int rrd_ = 0, turn_ = 0, refi_;
+    int turn_ = 0, refi_;
     bool due_ = false;
     int beats_ = 0;   // beats of the burst after this cycle's
     bool beats_write_ = false, beats_last_ = false;

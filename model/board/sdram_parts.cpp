@@ -90,7 +90,6 @@ SdramClocks sdram_clocks(const SdramPart& part, int khz, int read_delay) {
     c.rcd = clocks(part.trcd);
     c.rp = clocks(part.trp);
     c.ras = std::max(clocks(part.tras), clocks(part.trc) - c.rp);
-    c.rrd = clocks(part.trrd);
     c.wr = std::max(clocks(part.twr), part.twr_clocks);
     c.rfc = clocks(part.trfc);
     c.refi = int(part.trefi / longer);

@@ -39,8 +39,8 @@ const std::vector<SdramPart>& sdram_parts();
 struct SdramClocks {
     int row_bits = 0, column_bits = 0;
     int cl = 0;   ///< CAS latency
-    int rcd = 0, rp = 0, rrd = 0, wr = 0, rfc = 0, refi = 0, mrd = 0;
-    int ras = 0;   ///< long enough to imply tRC
+    int rcd = 0, rp = 0, wr = 0, rfc = 0, refi = 0, mrd = 0;
+    int ras = 0;   ///< long enough to imply tRC; tRRD needs no gate, because a column command lies between
     int initial_wait = 0, initial_refreshes = 0;
     int read_delay = 0;   ///< additional clocks until read data are captured; 0 if the SDRAM's clock is
                           ///< inverted

@@ -13,9 +13,9 @@
 // Timing. A command that is decided in cycle d is on the pins in cycle d + 1. Write data are taken
 // in the cycle of the decision and in the seven that follow. Read data are captured at the end of
 // cycle d + Cl + ReadDelay and are on rd_data_o one cycle later. The comparison of a request's row
-// with the open row of its bank takes a cycle, which a waiting request has to spare. With the clock of the SDRAM
-// inverted, ReadDelay is 0; with that clock in phase it is 1. The gates are in ps, and the module
-// computes clocks from them, rounded up. model/board/sdram.hpp is the model.
+// with the open row of its bank takes a cycle; a stream of requests hides it. With the clock of
+// the SDRAM inverted, ReadDelay is 0; with that clock in phase it is 1. The gates are in ps, and
+// the module computes clocks from them, rounded up. model/board/sdram.hpp is the model.
 `default_nettype none
 module rc_sdram #(
   parameter  int unsigned ClkKhz     = 75_000,
@@ -95,7 +95,6 @@ module rc_sdram #(
   localparam int unsigned WaitW     = $clog2(LongWait + 1);
   localparam int unsigned LongPre   = Burst + Wr > Ras ? Burst + Wr : Ras;
   localparam int unsigned PreW      = $clog2(LongPre + 1);
-  localparam int unsigned RrdW      = $clog2(Rrd + 1);
   localparam int unsigned TurnW     = $clog2(Turn + 1);
   localparam int unsigned ReadDepth = 1 + Cl + ReadDelay;  // from the decision to the data
 
@@ -104,6 +103,9 @@ module rc_sdram #(
   end
   if (RowBits > 13 || ColumnBits < 6 || ColumnBits > 10) begin : gen_refuse_size
     $error("rc_sdram: RowBits must be at most 13, and ColumnBits 6 to 10");
+  end
+  if (Rrd > Rcd + 1) begin : gen_refuse_rrd
+    $error("rc_sdram: a column command must separate activations by tRRD");
   end
   if (Ras > Rcd + Burst) begin : gen_refuse_ras
     $error("rc_sdram: a burst must end after tRAS");
@@ -225,7 +227,6 @@ module rc_sdram #(
   logic [3:0]         open_q, wait_ends_q, pre_ends_q, activates, precharges, columns;
   logic [RowBits-1:0] row_q [4];
   logic [RowBits-1:0] open_row;
-  logic [RrdW-1:0]    rrd_q;
   logic               activate, precharge;
   logic               activates_may, precharges_may;   // apart from the state of the bank
 
@@ -263,12 +264,9 @@ module rc_sdram #(
   always_ff @(posedge clk_i) begin
     if (activate) row_q[sel_bank] <= sel_row;
     equal_q <= activate || open_row == sel_row;
-    // The first column command selects another request. The last one does not: the next request
-    // becomes the current one.
-    known_q <= rst_ni && sel_valid && !(col_fires && first);
-    if (!rst_ni)          rrd_q <= '0;
-    else if (activate)    rrd_q <= RrdW'(Rrd - 1);
-    else if (rrd_q != '0) rrd_q <= rrd_q - 1'b1;
+    // When the first column command selects the next request, equal_q is 1 for a cycle, and no row
+    // command depends on that.
+    known_q <= rst_ni && sel_valid;
   end
 
   // ---- Beats of the burst in progress, and the turn of the bus from reads to writes.
@@ -303,7 +301,7 @@ module rc_sdram #(
 
   // During a burst the bank in use cannot be precharged: its pre_q is not 0.
   assign row_may        = sel_valid && !due_q && (first || beats_busy);
-  assign activates_may  = row_may && rrd_q == '0;
+  assign activates_may  = row_may;
   assign precharges_may = row_may && known_q && !equal_q;
 
   assign closes_all = stops && open_q != '0 && pre_ends_q == '1;

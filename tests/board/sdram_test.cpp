@@ -251,7 +251,6 @@ TEST_CASE("the figures of the SDRAM parts hold together", "[sdram][parts]") {
     REQUIRE(c.rcd == 3);
     REQUIRE(c.rp == 3);
     REQUIRE(c.ras == 6);
-    REQUIRE(c.rrd == 2);
     REQUIRE(c.wr == 2);
     REQUIRE(c.rfc == 9);
     REQUIRE(c.refi == 1114);   // 7.8 us / 7.001 ns

@@ -5,25 +5,22 @@
 mutant(sdram_turns_without_an_idle_clock QUICK FILE rtl/board/rc_sdram.sv TEST board "[sdram][lockstep]"
   OLD [[= Cl + Burst + 1;]]
   NEW [[= Cl + Burst;]])
-mutant(sdram_closes_the_row_in_use FILE rtl/board/rc_sdram.sv TEST board "[sdram][lockstep]"
-  OLD [[&& !nxt_row_is_open && nxt_bank_q != cur_bank_q]]
-  NEW [[&& !nxt_row_is_open]])
+mutant(sdram_gives_two_commands_at_once FILE rtl/board/rc_sdram.sv TEST board "[sdram][lockstep]"
+  OLD [[assign row_may        = sel_valid && !due_q && (first || beats_busy);]]
+  NEW [[assign row_may        = sel_valid && !due_q;]])
 mutant(sdram_refresh_splits_a_line FILE rtl/board/rc_sdram.sv TEST board "[sdram][lockstep]"
-  OLD [[assign stops = due_q && cur_burst_q == '0;]]
+  OLD [[assign stops = due_q && first;]]
   NEW [[assign stops = due_q;]])
 mutant(sdram_refreshes_within_trp FILE rtl/board/rc_sdram.sv TEST board "[sdram][lockstep]"
-  OLD [[assign refreshes  = stops && open_q == '0 && wait_ends == '1;]]
+  OLD [[assign refreshes  = stops && open_q == '0 && wait_ends_q == '1;]]
   NEW [[assign refreshes  = stops && open_q == '0;]])
 mutant(sdram_refreshes_a_clock_late FILE rtl/board/rc_sdram.sv TEST board
   "an idle SDRAM controller refreshes every row in 64 ms"
   OLD [[refi_q <= refi_q == '0 ? RefiW'(Refi - 1) : refi_q - 1'b1;]]
   NEW [[refi_q <= refi_q == '0 ? RefiW'(Refi) : refi_q - 1'b1;]])
 mutant(sdram_precharges_within_twr FILE rtl/board/rc_sdram.sv TEST board "[sdram][lockstep]"
-  OLD [[PreW'(cur_write_q ? Burst + Wr - 2 : Burst - 1);]]
-  NEW [[PreW'(cur_write_q ? Burst + Wr - 3 : Burst - 1);]])
-mutant(sdram_activates_within_trrd FILE rtl/board/rc_sdram.sv TEST board "[sdram][lockstep]"
-  OLD [[else if (activate)    rrd_q <= RrdW'(Rrd - 1);]]
-  NEW [[else if (activate)    rrd_q <= '0;]])
+  OLD [[PreW'(cur_write_q ? Burst + Wr - 2 : Burst - 1)]]
+  NEW [[PreW'(cur_write_q ? Burst + Wr - 3 : Burst - 1)]])
 mutant(sdram_rounds_gates_down FILE rtl/board/rc_sdram.sv TEST board "[sdram][lockstep]"
   OLD [[= (RcdPs + ShortPs - 1) / ShortPs;]]
   NEW [[= RcdPs / ShortPs;]])
@@ -42,6 +39,13 @@ mutant(sdram_offers_data_a_clock_late FILE rtl/board/rc_sdram.sv TEST board "[sd
 mutant(sdram_starts_with_a_refresh_less FILE rtl/board/rc_sdram.sv TEST board "[sdram][lockstep]"
   OLD [[assign init_mode      = step_q == StepW'(InitRefreshes + 1);]]
   NEW [[assign init_mode      = step_q == StepW'(InitRefreshes);]])
+
+mutant(sdram_forgets_its_own_activation FILE rtl/board/rc_sdram.sv TEST board "[sdram][lockstep]"
+  OLD [[equal_q <= activate || open_row == sel_row;]]
+  NEW [[equal_q <= open_row == sel_row;]])
+mutant(sdram_reads_a_row_that_is_not_known FILE rtl/board/rc_sdram.sv TEST board "[sdram][lockstep]"
+  OLD [[assign cur_may   = cur_valid_q && !due_q && known_q && equal_q]]
+  NEW [[assign cur_may   = cur_valid_q && !due_q && (known_q || !cur_write_q) && equal_q]])
 
 # ---- The clients: priority, turns, order of words, masks.
 mutant(memory_host_waits_for_ever QUICK FILE rtl/board/rc_board_memory.sv TEST board [memory]
