@@ -129,11 +129,15 @@ bool has_clock(const std::string& module) { return module != "rc_log"; }
 
 std::string module_name(const std::string& module) { return module.substr(0, module.find(' ')); }
 
-std::vector<std::string> module_parameters(const std::string& module) {
-    std::vector<std::string> arguments;
+std::vector<std::pair<std::string, std::string>> parameter_values(const std::string& module) {
+    std::vector<std::pair<std::string, std::string>> values;
     std::istringstream words(module.substr(module_name(module).size()));
-    for (std::string word; words >> word;) arguments.push_back("-G" + word);
-    return arguments;
+    for (std::string word; words >> word;) {
+        const std::size_t equal = word.find('=');
+        if (equal == word.npos) throw std::logic_error("no value for the parameter " + word);
+        values.emplace_back(word.substr(0, equal), word.substr(equal + 1));
+    }
+    return values;
 }
 
 std::vector<PortSpec> ports_of(const std::string& module, const Config& config) {

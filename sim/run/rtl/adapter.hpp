@@ -1,6 +1,7 @@
 #pragma once
 // The generated source that connects a verilated module to sim/run/rtl/abi.hpp.
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/core/config.hpp"
@@ -29,9 +30,9 @@ struct PortSpec {
 };
 
 /// A module may be named with values of its parameters: "rc_sdram ClkKhz=75000 Cl=2". These functions return
-/// the name alone, and the arguments that set the parameters in Verilator.
+/// the name alone, and the parameters with their values.
 std::string module_name(const std::string& module);
-std::vector<std::string> module_parameters(const std::string& module);
+std::vector<std::pair<std::string, std::string>> parameter_values(const std::string& module);
 
 /// Returns the links of a module that can be built on its own: rc_chip or a unit. Those of rc_chip include
 /// every link of pipeline p as "<link>[p]". Throws std::logic_error for any other name.

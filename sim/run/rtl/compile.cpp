@@ -60,6 +60,13 @@ Arguments operator+(Arguments words, const Arguments& more) {
     return words;
 }
 
+/// Returns the arguments that select the top module and set its parameters.
+Arguments top_module(const std::string& module) {
+    Arguments words{"--top-module", module_name(module)};
+    for (const auto& [name, value] : parameter_values(module)) words.push_back("-G" + name + "=" + value);
+    return words;
+}
+
 void verilate(const fs::path& folder, const Config& config, const std::string& module, Waves waves,
               const fs::path& netlist, const std::function<void()>& meanwhile) {
     Arguments files{"gates.vlt", "netlist.v"};
@@ -70,11 +77,11 @@ void verilate(const fs::path& folder, const Config& config, const std::string& m
         write_text(folder / "gates.vlt", gates_vlt());
     }
     write_text(folder / "taps.vlt", adapter_vlt(module, config));
-    const Arguments words = Arguments{"verilator"} + verilator_flags +
-                            (netlist.empty() ? Arguments{} : netlist_verilator_flags) +
-                            (waves == Waves::yes ? wave_verilator_flags : Arguments{}) +
-                            Arguments{"--top-module", module_name(module)} + module_parameters(module) +
-                            Arguments{"--Mdir", "obj", "taps.vlt"} + files;
+    const Arguments words =
+        Arguments{"verilator"} + verilator_flags + (netlist.empty() ? Arguments{} : netlist_verilator_flags) +
+        (waves == Waves::yes ? wave_verilator_flags : Arguments{}) +
+        (netlist.empty() ? top_module(module) : Arguments{"--top-module", module_name(module)}) +
+        Arguments{"--Mdir", "obj", "taps.vlt"} + files;
     const std::string what = fmt::format("verilator on {} of {}{}", module_name(module),
                                          rtl_sources().string(), replacements_text());
     run_tools(folder, {{words, "verilator.log"}}, what, meanwhile);
@@ -221,9 +228,8 @@ void make_library(const fs::path& folder, const Config& config, const std::strin
 
 std::string lint_library(const fs::path& folder, const Config& config, const std::string& module) {
     const Arguments files = stage_sources(folder, config);
-    Process lint({Arguments{"verilator", "--lint-only", "-Wall", "--top-module", module_name(module)} +
-                      module_parameters(module) + files,
-                  folder, folder / "lint.log", folder});
+    Process lint({Arguments{"verilator", "--lint-only", "-Wall"} + top_module(module) + files, folder,
+                  folder / "lint.log", folder});
     lint.wait("interrupted: nothing is written");
     // Newer versions of Verilator add a report in lines that begin with a dash.
     std::istringstream log(read_if_there(folder / "lint.log"));
