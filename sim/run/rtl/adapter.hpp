@@ -1,6 +1,7 @@
 #pragma once
 // The generated source that connects a verilated module to sim/run/rtl/abi.hpp.
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/core/config.hpp"
@@ -16,6 +17,7 @@ enum class PortKind {
     granted,   ///< <name>_ready_o, <name>_fires_i, <name>_i: sent only if there is room
     fires,     ///< <name>_fires_o, <name>_o: always accepted by the receiver
     plain,     ///< <name>_o alone: a plain output; or <data>_o if an input has that name already
+    low,       ///< <name>_no alone: a plain output that is active low
     tap,       ///< signals of an inner instance; see PortSpec
 };
 /// A link of a module.
@@ -26,6 +28,11 @@ struct PortSpec {
     /// means that there is no such signal.
     std::string path{}, module{}, valid{}, ready{}, data{};
 };
+
+/// A module may be named with values of its parameters: "rc_sdram ClkKhz=75000 Cl=2". These functions return
+/// the name alone, and the parameters with their values.
+std::string module_name(const std::string& module);
+std::vector<std::pair<std::string, std::string>> parameter_values(const std::string& module);
 
 /// Returns the links of a module that can be built on its own: rc_chip or a unit. Those of rc_chip include
 /// every link of pipeline p as "<link>[p]". Throws std::logic_error for any other name.
