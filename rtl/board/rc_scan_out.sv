@@ -11,9 +11,8 @@
 // leaves its last pixel.
 //
 // Blocks fall due at an even pace: all blocks of a row within the time in which a row is shown.
-// urgent_o is high while fewer blocks are requested than are due. Underruns are impossible if the
-// memory, while urgent_o is high, accepts a request at least as often as blocks fall due and answers
-// within InFlight requests (model/board/scan_out.hpp: worst_line_cycles).
+// urgent_o is high while the offered block is due. Underruns are impossible if the memory, while
+// urgent_o is high, is as fast as blocks fall due (model/board/scan_out.hpp: worst_line_cycles).
 //
 // base_i, width_i, height_i and double_i are taken over at the start of the vertical blank
 // (takes_o). Lines of the last picture that still arrive are discarded. A picture that does not fit
@@ -42,7 +41,7 @@ module rc_scan_out #(
   output logic             req_valid_o,
   input  logic             req_ready_i,
   output logic [LineW-1:0] req_addr_o,
-  output logic             urgent_o,
+  output logic             urgent_o,        // the offered line is due
   input  logic             rd_valid_i,
   input  logic [15:0]      rd_data_i,
   // To the screen
@@ -196,7 +195,7 @@ module rc_scan_out #(
 
   assign req_valid_o = req_valid_q;
   assign req_addr_o  = addr_q;
-  assign urgent_o    = to_request_q > to_fall_q;
+  assign urgent_o    = req_valid_q && to_request_q >= to_fall_q;
 
   // ---- Arrival: two beats make a pixel. All blocks before block arrived_q of row arrived_row_q are
   // in the row buffers.

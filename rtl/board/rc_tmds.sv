@@ -7,7 +7,7 @@
 // one of four control symbols, and the disparity returns to 0.
 `default_nettype none
 module rc_tmds (
-  input  logic       pixel_clk_i,
+  input  logic       clk_i,       // the pixel clock
   input  logic       de_i,        // a byte, else a control symbol
   input  logic [7:0] data_i,
   input  logic [1:0] control_i,
@@ -31,7 +31,7 @@ module rc_tmds (
     assign reduced[i] = ^data_i[i:0] ^ (with_xnor && i % 2 == 1);
   end
 
-  always_ff @(posedge pixel_clk_i) begin
+  always_ff @(posedge clk_i) begin
     reduced_q <= reduced;
     xor_q     <= !with_xnor;
     de_q      <= de_i;
@@ -67,7 +67,7 @@ module rc_tmds (
     end
   end
 
-  always_ff @(posedge pixel_clk_i) begin
+  always_ff @(posedge clk_i) begin
     disparity_q <= disparity;
     symbol_q    <= symbol;
   end

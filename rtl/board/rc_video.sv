@@ -52,13 +52,13 @@ module rc_video (
   logic [39:0] symbols;
 
   rc_tmds u_blue (
-    .pixel_clk_i, .de_i(de), .data_i(colour[23:16]), .control_i({vsync, hsync}),
+    .clk_i(pixel_clk_i), .de_i(de), .data_i(colour[23:16]), .control_i({vsync, hsync}),
     .symbol_o(symbols[9:0]));
   rc_tmds u_green (
-    .pixel_clk_i, .de_i(de), .data_i(colour[15:8]), .control_i(2'b00),
+    .clk_i(pixel_clk_i), .de_i(de), .data_i(colour[15:8]), .control_i(2'b00),
     .symbol_o(symbols[19:10]));
   rc_tmds u_red (
-    .pixel_clk_i, .de_i(de), .data_i(colour[7:0]), .control_i(2'b00),
+    .clk_i(pixel_clk_i), .de_i(de), .data_i(colour[7:0]), .control_i(2'b00),
     .symbol_o(symbols[29:20]));
   assign symbols[39:30] = 10'b0000011111;
 

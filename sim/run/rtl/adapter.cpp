@@ -21,7 +21,8 @@ std::string port_line(const std::string& module, const PortSpec& p) {
         case PortKind::in: return line("&top." + n + "_valid_i", "&top." + n + "_ready_o", "top." + n + "_i");
         case PortKind::out:
             return line("&top." + n + "_valid_o", "&top." + n + "_ready_i", "top." + n + "_o");
-        case PortKind::fixed: return line("nullptr", "nullptr", "top." + n + "_i");
+        case PortKind::fixed:
+            return line("nullptr", "nullptr", "top." + (p.data.empty() ? n + "_i" : p.data));
         case PortKind::listen: return line("&top." + n + "_fires_i", "nullptr", "top." + n + "_i");
         case PortKind::granted:
             return line("&top." + n + "_fires_i", "&top." + n + "_ready_o", "top." + n + "_i");
@@ -79,17 +80,52 @@ std::vector<PortSpec> taps_of_chip(const Config& config) {
     return taps;
 }
 
+/// Returns the ports of the parts of the board's video, or nothing for any other module. Clocks and resets
+/// besides clk_i and rst_ni are ports that the test drives.
+std::vector<PortSpec> video_ports(const std::string& module) {
+    using enum PortKind;
+    std::vector<PortSpec> ports;
+    const auto add = [&](PortKind kind, std::initializer_list<const char*> names) {
+        for (const char* name : names) ports.push_back({name, kind});
+    };
+    if (module == "rc_pixel_writer") {
+        add(fixed, {"base", "width", "flush", "pixel_valid", "pixel_x", "pixel_y", "pixel_colour",
+                    "req_ready", "next"});
+        add(plain, {"empty", "pixel_ready", "req_valid", "req_addr", "data", "mask"});
+    }
+    if (module == "rc_scan_out") {
+        add(fixed, {"base", "width", "height", "double", "req_ready", "rd_valid", "rd_data"});
+        add(plain, {"takes", "underruns", "req_valid", "req_addr", "urgent", "pixel_valid", "pixel_colour",
+                    "pixel_de", "pixel_hsync", "pixel_vsync"});
+    }
+    if (module == "rc_tmds") {
+        add(fixed, {"de", "data", "control"});
+        add(plain, {"symbol"});
+    }
+    if (module == "rc_video") {
+        add(fixed, {"pixel_valid", "pixel_colour", "pixel_de", "pixel_hsync", "pixel_vsync", "pixel_clk",
+                    "shift_clk"});
+        add(plain, {"overflow", "underflow", "tmds"});
+        for (const char* name : {"pixel_rst", "shift_rst"})
+            ports.push_back({name, fixed, "", "", "", "", std::string(name) + "_ni"});
+    }
+    return ports;
+}
+
 /// Returns true if the module has a reset. Arithmetic cells have none.
 bool has_reset(const std::string& module) {
-    return module != "rc_unit" && module != "rc_power" && module != "rc_log" && module != "rc_path_length";
+    return module != "rc_unit" && module != "rc_power" && module != "rc_log" && module != "rc_path_length" &&
+           module != "rc_tmds";
 }
 /// Returns true if the module has a clock. Combinational cells have none.
 bool has_clock(const std::string& module) { return module != "rc_log"; }
 
 }   // namespace
 
-std::vector<PortSpec> ports_of(const std::string& module, const Config& config) {
+std::vector<PortSpec> ports_of(const std::string& with_parameters, const Config& config) {
     using enum PortKind;
+    const std::string module = module_name(with_parameters);
+    if (const std::vector<PortSpec> ports = video_ports(module); !ports.empty()) return ports;
     if (module == "rc_chip") {
         std::vector<PortSpec> ports = taps_of_chip(config);
         for (const char* name : {"wb_cyc", "wb_stb", "wb_we", "wb_adr", "wb_dat", "hit_ready"})
@@ -264,7 +300,7 @@ unsigned ports(void* handle, const RcPort** list) {{
 }}
 extern "C" const RcModule rc_module{{open, close, eval, reset, ports}};
 )",
-        module, ports, has_reset(module) ? "&of(handle).top.rst_ni" : "&of(handle).no_reset",
+        module, ports, has_reset(module_name(module)) ? "&of(handle).top.rst_ni" : "&of(handle).no_reset",
         has_clock(module) ? "of(handle).top.clk_i = static_cast<unsigned char>(clock)" : "(void)clock");
 }
 

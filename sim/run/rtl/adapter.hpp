@@ -11,7 +11,7 @@ namespace rayclock {
 enum class PortKind {
     in,        ///< <name>_valid_i, <name>_ready_o, <name>_i
     out,       ///< <name>_valid_o, <name>_ready_i, <name>_o
-    fixed,     ///< <name>_i alone
+    fixed,     ///< <name>_i alone, or the signal `data`
     listen,    ///< <name>_fires_i, <name>_i: always accepted
     granted,   ///< <name>_ready_o, <name>_fires_i, <name>_i: sent only if there is room
     fires,     ///< <name>_fires_o, <name>_o: always accepted by the receiver
@@ -27,7 +27,10 @@ struct PortSpec {
     std::string path{}, module{}, valid{}, ready{}, data{};
 };
 
-/// Returns the links of a module that can be built on its own: rc_chip or a unit. Those of rc_chip include
+/// A module may be given with values of its parameters: "rc_scan_out,ChipKhz=50000". Returns its name alone.
+inline std::string module_name(const std::string& module) { return module.substr(0, module.find(',')); }
+
+/// Returns the links of a module that can be built on its own: rc_chip, a unit or a part of the board. Those of rc_chip include
 /// every link of pipeline p as "<link>[p]". Throws std::logic_error for any other name.
 std::vector<PortSpec> ports_of(const std::string& module, const Config& config);
 

@@ -60,6 +60,15 @@ Arguments operator+(Arguments words, const Arguments& more) {
     return words;
 }
 
+/// Returns Verilator's arguments for a module with parameters (module_name()).
+Arguments top_arguments(const std::string& module) {
+    Arguments words{"--top-module", module_name(module)};
+    std::istringstream rest(module.substr(words[1].size()));
+    rest.ignore();
+    for (std::string parameter; std::getline(rest, parameter, ',');) words.push_back("-G" + parameter);
+    return words;
+}
+
 void verilate(const fs::path& folder, const Config& config, const std::string& module, Waves waves,
               const fs::path& netlist, const std::function<void()>& meanwhile) {
     Arguments files{"gates.vlt", "netlist.v"};
@@ -73,7 +82,7 @@ void verilate(const fs::path& folder, const Config& config, const std::string& m
     const Arguments words = Arguments{"verilator"} + verilator_flags +
                             (netlist.empty() ? Arguments{} : netlist_verilator_flags) +
                             (waves == Waves::yes ? wave_verilator_flags : Arguments{}) +
-                            Arguments{"--top-module", module, "--Mdir", "obj", "taps.vlt"} + files;
+                            top_arguments(module) + Arguments{"--Mdir", "obj", "taps.vlt"} + files;
     const std::string what =
         fmt::format("verilator on {} of {}{}", module, rtl_sources().string(), replacements_text());
     run_tools(folder, {{words, "verilator.log"}}, what, meanwhile);
