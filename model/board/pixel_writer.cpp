@@ -5,9 +5,7 @@
 
 namespace rayclock {
 
-bool PixelWriter::empty() const {
-    return input_.empty() && std::ranges::none_of(buffers_, &Buffer::used);
-}
+bool PixelWriter::empty() const { return input_.empty() && std::ranges::none_of(buffers_, &Buffer::used); }
 
 std::size_t PixelWriter::entered(const Place& pixel) const {
     for (std::size_t i = 0; i < buffers; ++i)

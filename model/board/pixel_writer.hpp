@@ -17,9 +17,10 @@ public:
         std::uint32_t x = 0, y = 0;   ///< pixels
     };
     struct Inputs {
-        std::uint32_t base = 0, width = 0;   ///< number of the first line; pixels. Both constant until empty().
+        std::uint32_t base = 0, width = 0;   ///< number of the first line; pixels. Both constant until
+                                             ///< empty().
         bool flush = false;
-        std::optional<Place> pixel{};   ///< offered
+        std::optional<Place> pixel{};           ///< offered
         bool req_ready = false, next = false;   ///< next: a beat of the write is taken
     };
 
@@ -29,7 +30,8 @@ public:
     bool empty() const;
     bool requests() const { return state_ == State::request; }
     std::uint32_t address() const { return address_; }   ///< a line's number; valid with requests()
-    /// Returns the words of the requested line that have a pixel, from word 0 in bit 0. The others are masked.
+    /// Returns the words of the requested line that have a pixel, from word 0 in bit 0. The others are
+    /// masked.
     std::uint16_t words() const { return buffers_[sent_].there; }
     void clock(const Inputs& in);
 

@@ -26,8 +26,8 @@ bool ScanOut::row_ends() const {
 void ScanOut::clock(const Inputs& in) {
     const bool tick = ticks(), taking = takes(), starts = start_ && shown_.is_shown();
     const bool opens = row_ends() && opened_ < shown_.blocks_down();
-    const bool issues = to_request_ != 0 && pending_ != shape_.in_flight && (!req_valid_ || in.req_ready) &&
-                        !taking;
+    const bool issues =
+        to_request_ != 0 && pending_ != shape_.in_flight && (!req_valid_ || in.req_ready) && !taking;
     const bool line_done = in.beat && beat_ == beats_of_line - 1;
 
     // Stages of a pixel.

@@ -10,11 +10,12 @@ struct ScreenTiming {
     static constexpr std::uint32_t shown_height = 480, total_height = 525;
 };
 
-/// A picture in memory, as scan-out takes it over. It lies in blocks of 4x4 pixels, one line of 64 bytes each.
+/// A picture in memory, as scan-out takes it over. It lies in blocks of 4x4 pixels, one line of 64 bytes
+/// each.
 struct ShownPicture {
-    std::uint32_t base = 0;              ///< number of its first line
+    std::uint32_t base = 0;                ///< number of its first line
     std::uint32_t width = 0, height = 0;   ///< pixels, 16 bits each
-    bool doubled = false;                ///< each pixel is shown as 2x2
+    bool doubled = false;                  ///< each pixel is shown as 2x2
 
     std::uint32_t blocks_across() const { return (width + 3) / 4; }
     std::uint32_t blocks_down() const { return (height + 3) / 4; }
@@ -34,13 +35,12 @@ struct ShownPicture {
 constexpr std::uint32_t worst_line_cycles(const ShownPicture& picture, std::uint32_t chip_khz,
                                           std::uint32_t pixel_khz) {
     const std::uint64_t pixel_clocks = std::uint64_t(ScreenTiming::total_width) * (4U << picture.doubled);
-    return std::uint32_t(pixel_clocks * chip_khz /
-                         (std::uint64_t(pixel_khz) * ((picture.width + 3) / 4)));
+    return std::uint32_t(pixel_clocks * chip_khz / (std::uint64_t(pixel_khz) * ((picture.width + 3) / 4)));
 }
 
 /// Returns how many cycles after it falls due a block must have arrived. The last block of a row falls due
-/// when the beam enters the horizontal blank before that row, so the time is the blank and the screen's pixels
-/// left of the block. Four pixel clocks remain for the pipeline.
+/// when the beam enters the horizontal blank before that row, so the time is the blank and the screen's
+/// pixels left of the block. Four pixel clocks remain for the pipeline.
 constexpr std::uint32_t worst_delay_cycles(const ShownPicture& picture, std::uint32_t chip_khz,
                                            std::uint32_t pixel_khz) {
     const std::uint32_t left = (ScreenTiming::shown_width - (picture.width << picture.doubled)) / 2,

@@ -15,7 +15,8 @@ constexpr std::size_t most_errors = 20;
 constexpr std::array<const char*, 3> channel_names{"blue", "green", "red"};
 
 /// The control symbols, by their two control bits (DVI 1.0, section 3.3.3), bit 0 sent first.
-constexpr std::array<std::uint32_t, 4> control_symbols{0b1101010100, 0b0010101011, 0b0101010100, 0b1010101011};
+constexpr std::array<std::uint32_t, 4> control_symbols{0b1101010100, 0b0010101011, 0b0101010100,
+                                                       0b1010101011};
 
 std::optional<std::uint8_t> control_of(std::uint32_t symbol) {
     const auto* const found = std::ranges::find(control_symbols, symbol);
@@ -26,7 +27,8 @@ std::optional<std::uint8_t> control_of(std::uint32_t symbol) {
 }   // namespace
 
 Screen::Screen(const ScreenMode& mode) : mode_(mode) {
-    drawn_ = {mode.width, mode.height, std::vector<ScreenPicture::Pixel>(std::size_t(mode.width) * mode.height)};
+    drawn_ = {mode.width, mode.height,
+              std::vector<ScreenPicture::Pixel>(std::size_t(mode.width) * mode.height)};
     picture_ = drawn_;
 }
 
@@ -54,8 +56,8 @@ Screen::Decoded Screen::decode(std::size_t channel, std::uint32_t symbol) {
     }
     const int ones = std::popcount(byte);
     if (by_xor == (ones > 4 || (ones == 4 && !(byte & 1))))
-        error(fmt::format("{}: the {} symbol {:010b} of byte {} has bit 8 as DVI does not prescribe.", place(),
-                          channel_names[channel], symbol, byte));
+        error(fmt::format("{}: the {} symbol {:010b} of byte {} has bit 8 as DVI does not prescribe.",
+                          place(), channel_names[channel], symbol, byte));
     // The byte as sent must not increase the imbalance. If it cannot, bit 9 is the opposite of bit 8.
     const int imbalance = std::popcount(sent) - 4;
     if (disparity == 0 || imbalance == 0 ? inverted == by_xor : (imbalance > 0) == (disparity > 0))
@@ -115,14 +117,15 @@ void Screen::syncs(bool h, bool v) {
     }
     if (v_level_ != v) {
         if (!line_begins)
-            error(fmt::format("{}: the vertical sync changes {} pixel clocks after the horizontal sync.", place(),
-                              clock_));
+            error(fmt::format("{}: the vertical sync changes {} pixel clocks after the horizontal sync.",
+                              place(), clock_));
         if (!v) {
             if (has_frame_) end_frame();
             has_frame_ = true;
             line_ = 0;
         } else if (has_frame_ && line_ != mode_.v_sync) {
-            error(fmt::format("frame {}: the vertical sync has {} lines, not {}.", frames_, line_, mode_.v_sync));
+            error(fmt::format("frame {}: the vertical sync has {} lines, not {}.", frames_, line_,
+                              mode_.v_sync));
         }
     }
     h_level_ = h;
@@ -163,7 +166,7 @@ void TmdsReceiver::bit(std::size_t channel, bool bit) {
                 fmt::format("Bit {}: the {} channel has lost its alignment.", bits_, channel_names[channel]));
         c.phase = phase;
     }
-    if (is_aligned() && c.phase == phase) c.symbols.push_back(std::uint16_t(c.window));
+    if (gathers_ && c.phase == phase) c.symbols.push_back(std::uint16_t(c.window));
 }
 
 void TmdsReceiver::clock_bit(bool bit) {
@@ -180,6 +183,8 @@ void TmdsReceiver::pairs(std::uint32_t pairs) {
     for (std::uint32_t half = 0; half < 2; ++half) {
         for (std::size_t i = 0; i < 3; ++i) bit(i, pairs >> (2 * i + half) & 1);
         clock_bit(pairs >> (6 + half) & 1);
+        // Gathering begins with a whole symbol of the first channel.
+        gathers_ = gathers_ || (is_aligned() && channels_[0].phase == bits_ % bits_of_symbol);
         ++bits_;
     }
     while (std::ranges::none_of(channels_, [](const Channel& c) { return c.symbols.empty(); })) {

@@ -70,8 +70,8 @@ private:
     int largest_disparity_ = 0;
     bool h_level_ = true, v_level_ = true;   ///< of the syncs
     bool has_line_ = false, has_frame_ = false;
-    /// Pixel clocks since the leading edge of the horizontal sync: now, at the sync's end and at the first and
-    /// after the last pixel of the line. Lines since the leading edge of the vertical sync.
+    /// Pixel clocks since the leading edge of the horizontal sync: now, at the sync's end and at the first
+    /// and after the last pixel of the line. Lines since the leading edge of the vertical sync.
     std::uint32_t clock_ = 0, sync_end_ = 0, first_pixel_ = 0, after_pixels_ = 0, line_ = 0;
     std::uint32_t line_pixels_ = 0;
     ScreenPicture drawn_, picture_;
@@ -85,8 +85,8 @@ class TmdsReceiver {
 public:
     explicit TmdsReceiver(Screen& screen) : screen_(screen) {}
 
-    /// Takes the four pairs of a shift clock: blue in the lowest two bits, green, red, clock. The lower bit of
-    /// a pair comes first.
+    /// Takes the four pairs of a shift clock: blue in the lowest two bits, green, red, clock. The lower bit
+    /// of a pair comes first.
     void pairs(std::uint32_t pairs);
 
     bool is_aligned() const;
@@ -106,6 +106,7 @@ private:
 
     Screen& screen_;
     std::array<Channel, 3> channels_;
+    bool gathers_ = false;     ///< all channels are aligned
     std::uint64_t bits_ = 0;   ///< of each channel so far
     bool clock_level_ = false;
     std::optional<std::uint64_t> clock_rose_;

@@ -53,7 +53,8 @@ TEST_CASE("the pixel writer puts every pixel in its place, in the model's cycles
     struct Size {
         std::uint32_t width, height;
     };
-    const Size size = GENERATE(Size{1, 1}, Size{5, 3}, Size{33, 17}, Size{64, 48}, Size{1023, 5}, Size{3, 1023});
+    const Size size =
+        GENERATE(Size{1, 1}, Size{5, 3}, Size{33, 17}, Size{64, 48}, Size{1023, 5}, Size{3, 1023});
     const int scatter = GENERATE(0, 20, 100000), accepts = GENERATE(100, 40);
     CAPTURE(size.width, size.height, scatter, accepts);
     Draw draw{7};

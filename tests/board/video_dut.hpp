@@ -24,7 +24,9 @@ inline Config board_config() { return Config{}; }
 class Signal {
 public:
     Signal(RtlModule& rtl, const char* name) : port_(&rtl.port(name)) {}
-    void operator=(std::uint64_t value) const { std::memcpy(port_->data, &value, std::min(port_->bytes, 8U)); }
+    void operator=(std::uint64_t value) const {
+        std::memcpy(port_->data, &value, std::min(port_->bytes, 8U));
+    }
     operator std::uint64_t() const {
         std::uint64_t value = 0;
         std::memcpy(&value, port_->data, std::min(port_->bytes, 8U));
@@ -227,9 +229,10 @@ private:
     std::uint64_t chip_time_ = 0, shift_time_ = 0, shift_edges_ = 0;
     TmdsReceiver& receiver_;
     RtlModule rtl_;
-    Signal pixel_valid_{rtl_, "pixel_valid"}, pixel_colour_{rtl_, "pixel_colour"}, pixel_de_{rtl_, "pixel_de"},
-        pixel_hsync_{rtl_, "pixel_hsync"}, pixel_vsync_{rtl_, "pixel_vsync"}, pixel_rst_{rtl_, "pixel_rst"},
-        shift_rst_{rtl_, "shift_rst"}, pixel_clk_{rtl_, "pixel_clk"}, shift_clk_{rtl_, "shift_clk"};
+    Signal pixel_valid_{rtl_, "pixel_valid"}, pixel_colour_{rtl_, "pixel_colour"},
+        pixel_de_{rtl_, "pixel_de"}, pixel_hsync_{rtl_, "pixel_hsync"}, pixel_vsync_{rtl_, "pixel_vsync"},
+        pixel_rst_{rtl_, "pixel_rst"}, shift_rst_{rtl_, "shift_rst"}, pixel_clk_{rtl_, "pixel_clk"},
+        shift_clk_{rtl_, "shift_clk"};
     Signal overflow_{rtl_, "overflow"}, underflow_{rtl_, "underflow"}, tmds_{rtl_, "tmds"};
 };
 
@@ -245,10 +248,11 @@ public:
         pixel_valid_ = 0, req_ready_ = 0, next_ = 0, flush_ = 0;
         rtl_.reset();
     }
-    /// Simulates one cycle with an offered pixel. Returns true if it was accepted. `accepts` is the percentage
-    /// of cycles in which the memory takes a request or a beat.
+    /// Simulates one cycle with an offered pixel. Returns true if it was accepted. `accepts` is the
+    /// percentage of cycles in which the memory takes a request or a beat.
     bool clock(const std::optional<Pixel>& pixel, const ShownPicture& picture, bool flush, int accepts) {
-        const bool ready = !beats_left_ && draw_.percent(accepts), next = beats_left_ && draw_.percent(accepts);
+        const bool ready = !beats_left_ && draw_.percent(accepts),
+                   next = beats_left_ && draw_.percent(accepts);
         pixel_valid_ = pixel.has_value();
         if (pixel) pixel_x_ = pixel->x, pixel_y_ = pixel->y, pixel_colour_ = pixel->colour;
         base_ = picture.base, width_ = picture.width, flush_ = flush, req_ready_ = ready, next_ = next;
@@ -262,7 +266,8 @@ public:
             written.push_back(line_);
         }
         model.clock({picture.base, picture.width, flush,
-                     pixel ? std::optional(PixelWriter::Place{pixel->x, pixel->y}) : std::nullopt, ready, next});
+                     pixel ? std::optional(PixelWriter::Place{pixel->x, pixel->y}) : std::nullopt, ready,
+                     next});
         rtl_.clock();
         ++cycle_;
         return accepted;
@@ -277,14 +282,16 @@ private:
                           bool(req_valid_) == model.requests() &&
                           (!model.requests() || req_addr_ == model.address());
         if (same) return;
-        FAIL("cycle " << cycle_ << ": the RTL has ready " << pixel_ready_ << ", empty " << empty_ << ", request "
-                      << req_valid_ << " of line " << req_addr_ << "; the model " << model.ready() << ", "
-                      << model.empty() << ", " << model.requests() << ", " << model.address());
+        FAIL("cycle " << cycle_ << ": the RTL has ready " << pixel_ready_ << ", empty " << empty_
+                      << ", request " << req_valid_ << " of line " << req_addr_ << "; the model "
+                      << model.ready() << ", " << model.empty() << ", " << model.requests() << ", "
+                      << model.address());
     }
     void take_beat() {
         const std::uint32_t beat = 32 - beats_left_--;
         const bool there = model.words() >> (beat / 2) & 1;
-        if (mask_ != (there ? 0U : 3U)) FAIL("cycle " << cycle_ << ": beat " << beat << " has mask " << mask_);
+        if (mask_ != (there ? 0U : 3U))
+            FAIL("cycle " << cycle_ << ": beat " << beat << " has mask " << mask_);
         if (there) memory_.at(line_)[beat] = std::uint16_t(data_);
     }
 
@@ -293,9 +300,9 @@ private:
     RtlModule rtl_;
     std::uint64_t cycle_ = 0;
     std::uint32_t beats_left_ = 0, line_ = 0;
-    Signal base_{rtl_, "base"}, width_{rtl_, "width"}, flush_{rtl_, "flush"}, pixel_valid_{rtl_, "pixel_valid"},
-        pixel_x_{rtl_, "pixel_x"}, pixel_y_{rtl_, "pixel_y"}, pixel_colour_{rtl_, "pixel_colour"},
-        req_ready_{rtl_, "req_ready"}, next_{rtl_, "next"};
+    Signal base_{rtl_, "base"}, width_{rtl_, "width"}, flush_{rtl_, "flush"},
+        pixel_valid_{rtl_, "pixel_valid"}, pixel_x_{rtl_, "pixel_x"}, pixel_y_{rtl_, "pixel_y"},
+        pixel_colour_{rtl_, "pixel_colour"}, req_ready_{rtl_, "req_ready"}, next_{rtl_, "next"};
     Signal empty_{rtl_, "empty"}, pixel_ready_{rtl_, "pixel_ready"}, req_valid_{rtl_, "req_valid"},
         req_addr_{rtl_, "req_addr"}, data_{rtl_, "data"}, mask_{rtl_, "mask"};
 };

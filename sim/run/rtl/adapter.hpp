@@ -30,8 +30,8 @@ struct PortSpec {
 /// A module may be given with values of its parameters: "rc_scan_out,ChipKhz=50000". Returns its name alone.
 inline std::string module_name(const std::string& module) { return module.substr(0, module.find(',')); }
 
-/// Returns the links of a module that can be built on its own: rc_chip, a unit or a part of the board. Those of rc_chip include
-/// every link of pipeline p as "<link>[p]". Throws std::logic_error for any other name.
+/// Returns the links of a module that can be built on its own: rc_chip, a unit or a part of the board. Those
+/// of rc_chip include every link of pipeline p as "<link>[p]". Throws std::logic_error for any other name.
 std::vector<PortSpec> ports_of(const std::string& module, const Config& config);
 
 /// Return the C++ text of the library's side of sim/run/rtl/abi.hpp, and the Verilator configuration that
