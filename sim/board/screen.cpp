@@ -183,8 +183,10 @@ void TmdsReceiver::pairs(std::uint32_t pairs) {
     for (std::uint32_t half = 0; half < 2; ++half) {
         for (std::size_t i = 0; i < 3; ++i) bit(i, pairs >> (2 * i + half) & 1);
         clock_bit(pairs >> (6 + half) & 1);
-        // Gathering begins with a whole symbol of the first channel.
-        gathers_ = gathers_ || (is_aligned() && channels_[0].phase == bits_ % bits_of_symbol);
+        // Gathering begins in the middle of a symbol, so channels may be skewed by less than half a symbol.
+        gathers_ = gathers_ ||
+                   (is_aligned() &&
+                    bits_ % bits_of_symbol == (*channels_[0].phase + bits_of_symbol / 2) % bits_of_symbol);
         ++bits_;
     }
     while (std::ranges::none_of(channels_, [](const Channel& c) { return c.symbols.empty(); })) {

@@ -6,10 +6,10 @@
 #include "tests/board/video_dut.hpp"
 #include <catch2/catch.hpp>
 
+namespace pixel_writer_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
-
-namespace pixel_writer_test {
 
 /// The pixels of a picture with random colours, in an order that depends on `scatter`: 0 tile by tile, as the
 /// chip starts them; else each pixel comes up to `scatter` places late.
@@ -44,10 +44,6 @@ void write_all(PixelWriterPair& writer, const std::vector<PixelWriterPair::Pixel
         writer.clock({}, picture, true, accepts);
     }
 }
-
-}   // namespace pixel_writer_test
-
-using namespace pixel_writer_test;
 
 TEST_CASE("the pixel writer puts every pixel in its place, in the model's cycles", "[board][pixels]") {
     struct Size {
@@ -112,3 +108,5 @@ TEST_CASE("a full block is written before an older one that is not full", "[boar
     for (int i = 0; i < 200; ++i) writer.clock({}, picture, false, 100);
     REQUIRE(writer.written == std::vector<std::uint32_t>{1});
 }
+
+}   // namespace pixel_writer_test

@@ -4,10 +4,10 @@
 #include "tests/board/video_dut.hpp"
 #include <catch2/catch.hpp>
 
+namespace scan_out_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
-
-namespace scan_out_test {
 
 constexpr std::uint64_t frame_clocks = 800 * 525;   // pixel clocks
 
@@ -53,10 +53,6 @@ std::uint32_t underruns(const ShownPicture& picture, const ScanOut::Shape& shape
 }
 
 const ShownPicture full{0, 640, 480}, doubled{0, 320, 240, true};
-
-}   // namespace scan_out_test
-
-using namespace scan_out_test;
 
 TEST_CASE("scan-out has the model's cycles under a random memory", "[board][scan]") {
     struct Case {
@@ -194,3 +190,5 @@ TEST_CASE("the count of underruns is exact and ends at its largest value", "[boa
     for (std::uint64_t i = 0; i < 3 * 3 * frame_clocks; ++i) scan.clock({0, 640, 60}, port);
     REQUIRE(scan.model.underruns() == 65535);
 }
+
+}   // namespace scan_out_test

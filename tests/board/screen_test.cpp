@@ -8,10 +8,10 @@
 #include "tests/board/video_dut.hpp"
 #include <catch2/catch.hpp>
 
+namespace screen_test {
+
 using namespace rayclock;
 using namespace rayclock::test;
-
-namespace screen_test {
 
 /// One channel's encoder.
 class Encoder {
@@ -67,10 +67,6 @@ private:
     ScanOutPair scan_;
     Video video_;
 };
-
-}   // namespace screen_test
-
-using namespace screen_test;
 
 TEST_CASE("every byte at every disparity is balanced and comes back", "[board][tmds]") {
     // A breadth-first search of the encoder's states: the disparities that it can reach, with bytes to each.
@@ -187,3 +183,5 @@ TEST_CASE("two frames pass between the clocks without a gap", "[board][screen]")
     while (board.screen.frames() < 2) board.clock({0, 320, 240, true}, port);
     board.require_sound();
 }
+
+}   // namespace screen_test
