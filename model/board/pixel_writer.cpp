@@ -28,6 +28,12 @@ std::size_t PixelWriter::chosen(bool flush) const {
     return flush || needs_buffer ? oldest([](const Buffer& b) { return b.open; }) : buffers;
 }
 
+bool PixelWriter::sleeps(bool flush) const {
+    if (!input_.empty() && entered(input_.front()) != buffers) return false;
+    if (state_ == State::idle) return chosen(flush) == buffers;
+    return state_ == State::request || state_ == State::beats;
+}
+
 void PixelWriter::clock(const Inputs& in) {
     const bool accepts = in.pixel && ready();
     const std::size_t goes = state_ == State::idle ? chosen(in.flush) : buffers;

@@ -35,6 +35,9 @@ public:
     std::uint16_t words() const { return buffers_[sent_].there; }
     void clock(const Inputs& in);
 
+    /// True if clock() changes nothing without a pixel, and without an answer to the request under way.
+    bool sleeps(bool flush) const;
+
 private:
     static constexpr std::size_t buffers = 4;
     static constexpr std::uint32_t beats_of_line = 32;

@@ -41,9 +41,9 @@ void ScanOut::clock(const Inputs& in) {
     const std::uint32_t pace_limit = ScreenTiming::total_width * (4U << shown_.doubled),
                         pace_sum = pace_ + shown_.blocks_across();
     const bool falls = tick && to_fall_ != 0 && pace_sum >= pace_limit;
-    if (to_fall_ == 0)
+    if (taking)
         pace_ = 0;
-    else if (tick)
+    else if (tick && to_fall_ != 0)
         pace_ = falls ? pace_sum - pace_limit : pace_sum;
     std::uint32_t added = 0;
     if (starts)
@@ -87,6 +87,48 @@ void ScanOut::clock(const Inputs& in) {
     if (++h_ < ScreenTiming::total_width) return;
     h_ = 0;
     if (++v_ == ScreenTiming::total_height) v_ = 0;
+}
+
+std::uint32_t ScanOut::ticks_to_event() const {
+    constexpr std::uint32_t width = ScreenTiming::total_width, height = ScreenTiming::total_height,
+                            blank = height - ScreenTiming::shown_height;
+    // The beam's place, in ticks and lines since the start of the vertical blank.
+    const std::uint32_t line = (v_ + blank) % height, place = line * width + h_;
+    const std::uint32_t to_take = (width * height - place) % (width * height);
+    if (!shown_.is_shown() || opened_ >= shown_.blocks_down()) return to_take;
+    const std::uint32_t lines = 4U << shown_.doubled, shown_height = shown_.height << shown_.doubled,
+                        top = blank + (ScreenTiming::shown_height - shown_height) / 2;
+    // The line at whose end a row of blocks ends: this line, or a later one.
+    const std::uint32_t from = line + (h_ > ScreenTiming::shown_width);
+    const std::uint32_t rows = from < top ? 0 : (from - top) / lines;
+    const std::uint32_t end = (top + rows * lines + lines - 1) * width + ScreenTiming::shown_width;
+    return std::min(to_take, end - place);
+}
+
+std::uint64_t ScanOut::quiet() const {
+    if (req_valid_ || pending_ != 0 || to_request_ != 0 || taken_ || start_ || s3_late_) return 0;
+    // The event comes with the tick after so many others.
+    const std::uint64_t phase = std::uint64_t(ticks_to_event() + 1) * shape_.chip_khz - phase_;
+    return (phase + shape_.pixel_khz - 1) / shape_.pixel_khz - 1;
+}
+
+void ScanOut::skip(std::uint64_t cycles) {
+    const std::uint64_t phase = phase_ + cycles * shape_.pixel_khz, ticks = phase / shape_.chip_khz;
+    phase_ = std::uint32_t(phase % shape_.chip_khz);
+    const std::uint64_t pace_limit = ScreenTiming::total_width * (4U << shown_.doubled),
+                        pace = pace_ + ticks * shown_.blocks_across();
+    if (to_fall_ != 0) {
+        const std::uint64_t falls = std::min<std::uint64_t>(pace / pace_limit, to_fall_);
+        // After the last block has fallen due the pace stands still.
+        pace_ = std::uint32_t(falls == to_fall_ ? 0 : pace - falls * pace_limit);
+        to_fall_ -= std::uint32_t(falls);
+    }
+    // All opened blocks have arrived, so no pixel on its way is late.
+    if (cycles > 0) s1_ = s2_ = {};
+    const std::uint64_t place = (v_ * ScreenTiming::total_width + h_ + ticks) %
+                                (ScreenTiming::total_width * ScreenTiming::total_height);
+    v_ = std::uint32_t(place / ScreenTiming::total_width);
+    h_ = std::uint32_t(place % ScreenTiming::total_width);
 }
 
 }   // namespace rayclock

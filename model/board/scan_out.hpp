@@ -74,6 +74,12 @@ public:
     std::uint32_t underruns() const { return underruns_; }
     void clock(const Inputs& in);
 
+    /// Cycles in which nothing is requested, taken over or counted, whatever the inputs. 0 while a request or
+    /// an answer is under way.
+    std::uint64_t quiet() const;
+    /// Has the effect of that many calls of clock(), at most quiet().
+    void skip(std::uint64_t cycles);
+
 private:
     static constexpr std::uint32_t beats_of_line = 32, most_underruns = 0xffff, opens_nothing = 0xff;
 
@@ -86,6 +92,8 @@ private:
     bool ticks() const { return phase_ + shape_.pixel_khz >= shape_.chip_khz; }
     Fetch under_beam() const;
     bool row_ends() const;
+    /// Ticks before the one that opens a row or takes a picture over.
+    std::uint32_t ticks_to_event() const;
 
     Shape shape_;
     std::uint32_t phase_ = 0, h_ = 0, v_ = ScreenTiming::shown_height;

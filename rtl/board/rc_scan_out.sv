@@ -185,8 +185,8 @@ module rc_scan_out #(
       else if (opens)              opened_q <= opened_q + 1'b1;
     end
 
-    if (to_fall_q == '0) pace_q <= '0;
-    else if (tick)       pace_q <= falls ? pace_sum - pace_limit : pace_sum;
+    if (takes)                        pace_q <= '0;
+    else if (tick && to_fall_q != '0) pace_q <= falls ? pace_sum - pace_limit : pace_sum;
 
     if (issues) addr_q <= next_addr_q;
     if (start_q)     next_addr_q <= base_q;

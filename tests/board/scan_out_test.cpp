@@ -136,6 +136,74 @@ TEST_CASE("lines of the last picture that come late are discarded", "[board][sca
     REQUIRE(scan.model.underruns() == before);
 }
 
+TEST_CASE("a line that ends while the next picture is taken over is of the last one", "[board][scan]") {
+    const LineMemory memory = random_memory(160 * 120 + 100, 6);
+    const ShownPicture second{160 * 120, 36, 30};
+    // The cycle of the first request, and of the second time that a picture is taken over.
+    std::uint64_t requested = 0, taken = 0;
+    ScanOut scan({});
+    ReadPort silent(memory, {40, 1'000'000'000, false, 0});
+    for (std::uint64_t now = 0, times = 0; times < 2; ++now) {
+        silent.begin(false);
+        times += scan.takes();
+        taken = now;
+        const bool first = silent.requests == 0;
+        ScanOutPair::model_clock(scan, full, silent);
+        if (first && silent.requests == 1) requested = now;
+    }
+    for (const std::uint64_t earlier : {0, 1, 2}) {
+        CAPTURE(earlier);
+        // The first line takes so long that its last beat comes in that cycle, or just before or after it.
+        ReadPort port(memory, {40, std::uint32_t(taken + 1 - earlier - 31 - requested), false, 0});
+        ScanOutPair pair;
+        Frames frames;
+        for (std::uint64_t now = 0; now < taken; ++now) pair.clock(full, port);
+        REQUIRE(pair.model.takes());
+        port.change({40, 100, false, 0});
+        while (frames.all.empty()) frames.take(pair.clock(second, port));
+        REQUIRE((frames.all[0] == expected_screen(memory, second)));
+    }
+}
+
+TEST_CASE("skipping quiet cycles of scan-out has the effect of stepping", "[board][scan]") {
+    const std::uint32_t khz = GENERATE(50000U, 62500U, 75000U, 73000U);
+    Draw draw{khz};
+    for (int i = 0; i < 8; ++i) {
+        const ShownPicture picture{5, std::uint32_t(draw.between(1, 660)),
+                                   std::uint32_t(draw.between(1, 490)), draw.percent(30)};
+        CAPTURE(khz, picture.width, picture.height, picture.doubled);
+        const LineMemory memory(160 * 123 + 5);
+        const ReadPort::Speed speed{std::uint32_t(draw.between(32, 50)), 50, false, 0};
+        ScanOut stepping({.chip_khz = khz}), skipping({.chip_khz = khz});
+        ReadPort stepped(memory, speed), skipped(memory, speed);
+        std::uint64_t quiet = 0, all = 0;
+        for (const std::uint64_t last = 2 * frame_clocks * khz / 25000; all < last;) {
+            const std::uint64_t most = skipping.quiet(),
+                                cycles = draw.coin() ? most : most * draw.bits(8) / 256;
+            skipping.skip(cycles);
+            quiet += cycles;
+            for (std::uint64_t k = 0; k <= cycles; ++k, ++all) {
+                stepped.begin(false);
+                skipped.begin(false);
+                const bool sleeps = k < cycles;
+                if (sleeps && (stepping.requests() || stepping.takes()))
+                    FAIL("cycle " << all << " is not quiet");
+                ScanOutPair::model_clock(stepping, picture, stepped);
+                if (sleeps)
+                    skipped.end({});
+                else
+                    ScanOutPair::model_clock(skipping, picture, skipped);
+            }
+            if (stepping.requests() != skipping.requests() || stepping.takes() != skipping.takes() ||
+                stepping.is_urgent() != skipping.is_urgent() || stepping.quiet() != skipping.quiet() ||
+                stepping.underruns() != skipping.underruns())
+                FAIL("cycle " << all << " differs after " << cycles << " of " << most << " quiet cycles");
+        }
+        REQUIRE(stepped.requests == skipped.requests);
+        REQUIRE(quiet > all / 10);
+    }
+}
+
 TEST_CASE("a line every 40 cycles at 75 MHz is enough, also if only urgent requests are served",
           "[board][scan]") {
     const bool only_if_urgent = GENERATE(false, true);

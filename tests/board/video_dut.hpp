@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "model/board/pixel_writer.hpp"
@@ -265,9 +266,16 @@ public:
             line_ = std::uint32_t(req_addr_);
             written.push_back(line_);
         }
+        const bool sleeps = !pixel && !next && !(ready && model.requests()) && model.sleeps(flush);
+        const auto outputs = [&] {
+            return std::tuple(model.ready(), model.empty(), model.requests(), model.address(), model.words(),
+                              model.sleeps(flush));
+        };
+        const auto before = outputs();
         model.clock({picture.base, picture.width, flush,
                      pixel ? std::optional(PixelWriter::Place{pixel->x, pixel->y}) : std::nullopt, ready,
                      next});
+        if (sleeps && outputs() != before) FAIL("cycle " << cycle_ << ": the writer changed in its sleep");
         rtl_.clock();
         ++cycle_;
         return accepted;

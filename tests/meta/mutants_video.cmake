@@ -12,9 +12,9 @@ mutant(scan_opens_a_row_too_early FILE ${scan_out} TEST board [scan]
 mutant(scan_takes_over_at_the_top FILE ${scan_out} TEST board [scan]
   OLD [[h_q == '0 && v_q == 10'(ShownH);]]
   NEW [[h_q == '0 && (v_q == 10'(ShownH) || v_q == '0);]])
-mutant(scan_keeps_late_lines QUICK FILE ${scan_out} TEST board "lines of the last picture*"
+mutant(scan_keeps_the_last_late_line QUICK FILE ${scan_out} TEST board "lines of the last picture*"
   OLD [[= drop_q == '0;]]
-  NEW [[= drop_q == '0 || drop_q == '1;]])
+  NEW [[= drop_q <= PendingW'(1);]])
 mutant(scan_drops_all_in_flight FILE ${scan_out} TEST board [scan]
   OLD [[drop_q <= pending_q - PendingW'(line_done);]]
   NEW [[drop_q <= pending_q;]])
@@ -68,9 +68,15 @@ mutant(pixels_empty_with_a_queued_pixel FILE ${pixel_writer} TEST board [pixels]
   NEW [[= (!head_valid || used_q == '0) && used_q == '0;]])
 
 # ---- Between the clocks, and on the cable.
-mutant(fifo_starts_at_once FILE rtl/board/rc_video_fifo.sv TEST board [screen]
+mutant(fifo_starts_at_once FILE rtl/board/rc_video_fifo.sv TEST board [fifo]
   OLD [[level >= (IndexW+1)'(Depth / 2);]]
   NEW [[level >= (IndexW+1)'(1);]])
+mutant(fifo_overwrites_when_full FILE rtl/board/rc_video_fifo.sv TEST board [fifo]
+  OLD [[writes    = valid_i && !full;]]
+  NEW [[writes    = valid_i && (!full || overflow_q);]])
+mutant(fifo_does_not_fill_again FILE rtl/board/rc_video_fifo.sv TEST board [fifo]
+  OLD [[runs_q ? level != '0 :]]
+  NEW [[runs_q ? 1'b1 :]])
 mutant(fifo_pointer_crosses_in_binary FILE rtl/board/rc_video_fifo.sv TEST board [screen]
   OLD [[tail_gray_q <= tail_next ^ (tail_next >> 1);]]
   NEW [[tail_gray_q <= tail_next;]])
@@ -85,17 +91,26 @@ mutant(tmds_disparity_survives_the_blank FILE rtl/board/rc_tmds.sv TEST board [t
       case]]
   NEW [[      disparity = disparity_q;
       case]])
-mutant(serialiser_drops_a_bit FILE rtl/board/rc_serialiser.sv TEST board [screen]
-  OLD [[{2'b00, shift_q[9:2]};]]
-  NEW [[{3'b000, shift_q[9:3]};]])
+mutant(serialiser_second_bit_first FILE rtl/board/rc_serialiser.sv TEST board [screen]
+  OLD [[= shift_q[1:0];]]
+  NEW [[= {shift_q[0], shift_q[1]};]])
 mutant(video_red_and_blue_exchanged FILE rtl/board/rc_video.sv TEST board [screen]
-  OLD [[.data_i(colour[23:16]), .control_i({vsync, hsync}),]]
-  NEW [[.data_i(colour[7:0]), .control_i({vsync, hsync}),]])
+  OLD [[of_fifo_vsync, colour}),]]
+  NEW [[of_fifo_vsync, colour[7:0], colour[15:8], colour[23:16]}),]])
 
 # ---- The models.
 mutant(model_scan_pace_forgets_its_rest FILE model/board/scan_out.cpp TEST board [scan]
   OLD [[falls ? pace_sum - pace_limit : pace_sum;]]
   NEW [[falls ? 0 : pace_sum;]])
+mutant(model_scan_skips_one_cycle_too_many FILE model/board/scan_out.cpp TEST board "skipping*"
+  OLD [[/ shape_.pixel_khz - 1;]]
+  NEW [[/ shape_.pixel_khz;]])
+mutant(model_scan_skips_the_pace FILE model/board/scan_out.cpp TEST board "skipping*"
+  OLD [[falls == to_fall_ ? 0 : pace - falls * pace_limit]]
+  NEW [[pace_]])
+mutant(model_pixels_sleep_with_a_queued_pixel FILE model/board/pixel_writer.cpp TEST board [pixels]
+  OLD [[if (!input_.empty() && entered(input_.front()) != buffers) return false;]]
+  NEW [[]])
 mutant(model_scan_line_of_31_beats FILE model/board/scan_out.cpp TEST board [scan]
   OLD [[beat_ == beats_of_line - 1;]]
   NEW [[beat_ == beats_of_line - 2;]])

@@ -102,6 +102,13 @@ std::vector<PortSpec> video_ports(const std::string& module) {
         add(fixed, {"de", "data", "control"});
         add(plain, {"symbol"});
     }
+    if (module == "rc_video_fifo") {
+        add(fixed, {"valid", "data", "pixel_clk"});
+        add(plain, {"overflow", "underflow"});
+        ports.push_back({"pixel_rst", fixed, "", "", "", "", "pixel_rst_ni"});
+        ports.push_back({"out_valid", plain, "", "", "", "", "valid"});
+        ports.push_back({"out", plain, "", "", "", "", "data"});
+    }
     if (module == "rc_video") {
         add(fixed, {"pixel_valid", "pixel_colour", "pixel_de", "pixel_hsync", "pixel_vsync", "pixel_clk",
                     "shift_clk"});
