@@ -22,15 +22,17 @@ std::size_t PixelWriter::chosen(bool flush) const {
                 best = i;
         return best;
     };
-    const std::size_t full = oldest([](const Buffer& b) { return b.open && b.there == 0xffff; });
+    const std::size_t full = oldest([](const Buffer& b) { return b.open && b.full; });
     if (full != buffers) return full;
-    const bool needs_buffer = !input_.empty() && entered(input_.front()) == buffers;
-    return flush || needs_buffer ? oldest([](const Buffer& b) { return b.open; }) : buffers;
+    return flush || waits_ ? oldest([](const Buffer& b) { return b.open; }) : buffers;
 }
 
 bool PixelWriter::sleeps(bool flush) const {
     if (!input_.empty() && entered(input_.front()) != buffers) return false;
-    if (state_ == State::idle) return chosen(flush) == buffers;
+    for (const Buffer& b : buffers_)
+        if (b.full != (b.open && b.there == 0xffff)) return false;
+    if (state_ == State::idle) return chosen(flush) == buffers && waits_ == !input_.empty();
+    if (waits_) return false;
     return state_ == State::request || state_ == State::beats;
 }
 
@@ -39,12 +41,15 @@ void PixelWriter::clock(const Inputs& in) {
     const std::size_t goes = state_ == State::idle ? chosen(in.flush) : buffers;
     const std::size_t enters = input_.empty() ? buffers : entered(input_.front());
 
+    waits_ = state_ == State::idle && !input_.empty() && enters == buffers;
+    for (Buffer& b : buffers_) b.full = b.open && b.there == 0xffff;
+
     // The head of the queue enters its buffer.
     if (enters != buffers) {
         const Place pixel = input_.front();
         input_.pop();
         Buffer& buffer = buffers_[enters];
-        if (!buffer.open) buffer = {true, true, pixel.x / 4, pixel.y / 4, 0, begun_++};
+        if (!buffer.open) buffer = {true, true, buffer.full, pixel.x / 4, pixel.y / 4, 0, begun_++};
         buffer.there = std::uint16_t(buffer.there | 1U << (4 * (pixel.y % 4) + pixel.x % 4));
     }
     if (accepts) input_.push(*in.pixel);

@@ -45,6 +45,7 @@ private:
 
     struct Buffer {
         bool used = false, open = false;   ///< open: pixels of its block enter it
+        bool full = false;                 ///< it had all its pixels a cycle ago
         std::uint32_t block_x = 0, block_y = 0;
         std::uint16_t there = 0;   ///< words with a pixel
         std::uint64_t began = 0;   ///< number of its block, in the order of first pixels
@@ -55,6 +56,7 @@ private:
     /// Returns the buffer to write next, or `buffers` if there is none.
     std::size_t chosen(bool flush) const;
 
+    bool waits_ = false;   ///< a pixel has waited for a buffer while no write was under way
     Ring<Place, 2> input_{2};
     std::array<Buffer, buffers> buffers_{};
     std::uint64_t begun_ = 0;

@@ -25,7 +25,7 @@ bool ScanOut::row_ends() const {
 
 void ScanOut::clock(const Inputs& in) {
     const bool tick = ticks(), taking = takes(), starts = start_ && shown_.is_shown();
-    const bool opens = row_ends() && opened_ < shown_.blocks_down();
+    const bool opens = opens_;
     const bool issues =
         to_request_ != 0 && pending_ != shape_.in_flight && (!req_valid_ || in.req_ready) && !taking;
     const bool line_done = in.beat && beat_ == beats_of_line - 1;
@@ -37,7 +37,8 @@ void ScanOut::clock(const Inputs& in) {
     s2_ = s1_;
     s1_ = under_beam();
 
-    // Requests.
+    // Requests. A row is opened a cycle after the beam has left it.
+    opens_ = row_ends() && opened_ < shown_.blocks_down();
     const std::uint32_t pace_limit = ScreenTiming::total_width * (4U << shown_.doubled),
                         pace_sum = pace_ + shown_.blocks_across();
     const bool falls = tick && to_fall_ != 0 && pace_sum >= pace_limit;
@@ -106,7 +107,7 @@ std::uint32_t ScanOut::ticks_to_event() const {
 }
 
 std::uint64_t ScanOut::quiet() const {
-    if (req_valid_ || pending_ != 0 || to_request_ != 0 || taken_ || start_ || s3_late_) return 0;
+    if (req_valid_ || pending_ != 0 || to_request_ != 0 || taken_ || start_ || opens_ || s3_late_) return 0;
     // The event comes with the tick after so many others.
     const std::uint64_t phase = std::uint64_t(ticks_to_event() + 1) * shape_.chip_khz - phase_;
     return (phase + shape_.pixel_khz - 1) / shape_.pixel_khz - 1;

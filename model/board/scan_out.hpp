@@ -98,8 +98,8 @@ private:
     Shape shape_;
     std::uint32_t phase_ = 0, h_ = 0, v_ = ScreenTiming::shown_height;
     ShownPicture shown_;
-    bool taken_ = false, start_ = false;
-    std::uint32_t opened_ = 0;   ///< rows of blocks that may have been requested
+    bool taken_ = false, start_ = false, opens_ = false;   ///< events of the cycle before
+    std::uint32_t opened_ = 0;                             ///< rows of blocks that may have been requested
     /// Blocks of opened rows that are not yet offered, and those that are not yet due.
     std::uint32_t to_request_ = 0, to_fall_ = 0, pace_ = 0;
     bool req_valid_ = false;

@@ -52,7 +52,7 @@ module rc_pixel_writer #(
   logic [SideW-1:0] head_x, head_y;
   logic [23:0]      head_colour;
 
-  rc_fifo #(.Width(PixelW), .Depth(2), .Cut(0)) u_input (
+  rc_fifo #(.Width(PixelW), .Depth(2), .Cut(1)) u_input (
     .clk_i, .rst_ni,
     .valid_i(pixel_valid_i), .ready_o(pixel_ready_o),
     .data_i({pixel_x_i, pixel_y_i, pixel_colour_i}),
@@ -82,16 +82,23 @@ module rc_pixel_writer #(
     for (int i = 0; i < Buffers; i++) if (entered[i]) entered_index = 2'(i);
   end
 
-  // ---- The buffer to write next: the oldest of the full ones, or of all.
-  logic [Buffers-1:0] candidates, oldest;
-  logic               needs_buffer;
+  // ---- The buffer to write next: the oldest of the full ones, or of all. What it depends on comes
+  // from registers: a buffer has been full, and a pixel has waited, for a cycle.
+  typedef enum logic [2:0] {StIdle, StRead, StMultiply, StAdd, StRequest, StBeats} state_e;
+  state_e             state_q;
+  logic [Buffers-1:0] full_q, candidates, oldest;
+  logic               waits_q;
 
-  assign needs_buffer = head_valid && entered == '0;
+  always_ff @(posedge clk_i) begin
+    full_q  <= full;
+    // While no write is under way, no buffer becomes free.
+    waits_q <= head_valid && entered == '0 && state_q == StIdle;
+  end
 
   always_comb begin
     candidates = '0;
-    if (full != '0)                   candidates = full;
-    else if (needs_buffer || flush_i) candidates = open_q;
+    if ((full_q & open_q) != '0) candidates = full_q & open_q;
+    else if (waits_q || flush_i) candidates = open_q;
     for (int i = 0; i < Buffers; i++) begin
       oldest[i] = candidates[i];
       for (int j = 0; j < Buffers; j++)
@@ -100,8 +107,6 @@ module rc_pixel_writer #(
   end
 
   // ---- Writing: choose a buffer, read its block, multiply, add, request, 32 beats.
-  typedef enum logic [2:0] {StIdle, StRead, StMultiply, StAdd, StRequest, StBeats} state_e;
-  state_e             state_q;
   logic [1:0]         sent_q;            // the buffer that is written
   logic [BlockW-1:0]  sent_x_q, sent_y_q;
   logic [15:0]        sent_there_q;

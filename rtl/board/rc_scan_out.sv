@@ -127,15 +127,16 @@ module rc_scan_out #(
   end
 
   // ---- Row buffers: opened is the number of rows of blocks that may have been requested.
-  logic [9:0] beam_y;      // rows of the screen below the picture's top
-  logic       row_ends;    // the beam leaves the last pixel of a row of blocks
-  logic       opens;
+  // The beam leaves the last pixel of a row of blocks when the blank begins; opens_q is one cycle later.
+  logic [9:0] s1_y_q;      // lines of the screen below the picture's top, constant from h_q = 1 on
+  logic       opens_q, last_line_q;
   logic [7:0] opened_q;
 
-  assign beam_y   = v_q - top_q;
-  assign row_ends = tick && h_q == 10'(ShownW) && beam_y < shown_h_q
-                 && (double_q ? beam_y[2:0] == '1 : beam_y[1:0] == '1);
-  assign opens    = row_ends && opened_q < rows_q;
+  always_ff @(posedge clk_i) begin
+    last_line_q <= s1_y_q < shown_h_q && (double_q ? s1_y_q[2:0] == '1 : s1_y_q[1:0] == '1)
+                && opened_q < rows_q;
+    opens_q     <= rst_ni && tick && h_q == 10'(ShownW) && last_line_q;
+  end
 
   // ---- Requests. to_request_q counts the blocks of opened rows that are not yet offered, to_fall_q
   // those that are not yet due.
@@ -155,7 +156,7 @@ module rc_scan_out #(
   always_comb begin
     added = '0;
     if (start_q && shows_q) added = rows_q == 8'd1 ? CountW'(blocks_q) : CountW'({blocks_q, 1'b0});
-    else if (opens)         added = CountW'(blocks_q);
+    else if (opens_q)         added = CountW'(blocks_q);
   end
 
   always_ff @(posedge clk_i) begin
@@ -182,7 +183,7 @@ module rc_scan_out #(
 
       if (takes)                   opened_q <= '1;   // opens nothing until the start
       else if (start_q && shows_q) opened_q <= 8'd2;
-      else if (opens)              opened_q <= opened_q + 1'b1;
+      else if (opens_q)              opened_q <= opened_q + 1'b1;
     end
 
     if (takes)                        pace_q <= '0;
@@ -229,7 +230,7 @@ module rc_scan_out #(
   // ---- Stage 1: position of the beam in the picture. A position outside wraps to a number above
   // the picture's size.
   logic       s1_valid_q, s1_de_q, s1_hsync_q, s1_vsync_q;
-  logic [9:0] s1_x_q, s1_y_q;
+  logic [9:0] s1_x_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) s1_valid_q <= 1'b0;
@@ -237,7 +238,7 @@ module rc_scan_out #(
     s1_de_q    <= h_q < 10'(ShownW) && v_q < 10'(ShownH);
     s1_hsync_q <= !(h_q >= 10'(HSyncAt) && h_q < 10'(HBackAt));
     s1_x_q     <= h_q - left_q;
-    s1_y_q     <= beam_y;
+    s1_y_q     <= v_q - top_q;
   end
 
   // The vertical sync changes with the leading edge of the horizontal sync.

@@ -24,6 +24,7 @@ LineMemory random_memory(std::size_t lines, unsigned seed) {
 class Frames {
 public:
     void take(const SentPixel& pixel) {
+        if (++cycles_ > 10 * 3 * frame_clocks) FAIL("the screen gets no whole frames");
         if (!pixel.valid) return;
         if (!pixel.vsync) now_.clear();
         if (!pixel.de) return;
@@ -35,6 +36,7 @@ public:
 
 private:
     std::vector<ScreenPicture::Pixel> now_;
+    std::uint64_t cycles_ = 0;
 };
 
 /// Runs the model alone for some frames, and returns its underruns.

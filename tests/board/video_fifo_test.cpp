@@ -35,7 +35,8 @@ public:
 
     std::uint16_t written = 0;
     std::vector<std::uint16_t> read;
-    std::uint64_t gaps = 0;   ///< pixel clocks without an entry since the first
+    std::uint64_t gaps = 0, pauses = 0;   ///< pixel clocks without an entry since the first; in so many
+                                          ///< pauses
 
 private:
     void pixel_edge(bool with_chip) {
@@ -44,7 +45,13 @@ private:
         if (out_valid_)
             read.push_back(std::uint16_t(out_));
         else
-            gaps += !read.empty();
+            pause();
+    }
+    void pause() {
+        if (read.empty()) return;
+        pauses += read.size() != paused_at_;
+        paused_at_ = read.size();
+        ++gaps;
     }
     void edge(bool chip, bool pixel) {
         rtl_.settle();
@@ -59,6 +66,7 @@ private:
 
     std::uint32_t chip_khz_;
     std::uint64_t chip_time_ = 0, pixel_time_ = 0;
+    std::size_t paused_at_ = 0;   ///< entries before the last pause
     RtlModule rtl_;
     Signal valid_{rtl_, "valid"}, data_{rtl_, "data"}, pixel_clk_{rtl_, "pixel_clk"},
         pixel_rst_{rtl_, "pixel_rst"};
@@ -103,10 +111,10 @@ TEST_CASE("a writer that is too slow lets the video queue fill by half again", "
     REQUIRE(fifo.underflow());
     REQUIRE_FALSE(fifo.overflow());
     for (std::size_t i = 0; i < fifo.read.size(); ++i) REQUIRE(fifo.read[i] == i);
-    // Each pause is as long as eight entries take, so an entry in four is missing.
-    const double share = double(fifo.gaps) / double(fifo.gaps + fifo.read.size());
-    REQUIRE(share > 0.22);
-    REQUIRE(share < 0.28);
+    // In each pause the writer sends about eight entries, which takes eleven pixel clocks.
+    REQUIRE(fifo.pauses > 10);
+    REQUIRE(fifo.gaps >= 8 * fifo.pauses);
+    REQUIRE(fifo.gaps <= 14 * fifo.pauses);
 }
 
 }   // namespace video_fifo_test

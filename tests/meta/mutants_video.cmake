@@ -7,8 +7,8 @@ mutant(scan_urgent_one_block_late QUICK FILE ${scan_out} TEST board [scan]
   OLD [[req_valid_q && to_request_q >= to_fall_q;]]
   NEW [[req_valid_q && to_request_q > to_fall_q;]])
 mutant(scan_opens_a_row_too_early FILE ${scan_out} TEST board [scan]
-  OLD [[? beam_y[2:0] == '1 : beam_y[1:0] == '1);]]
-  NEW [[? beam_y[2:0] == '1 : beam_y[1:0] == 2'd2);]])
+  OLD [[? s1_y_q[2:0] == '1 : s1_y_q[1:0] == '1)]]
+  NEW [[? s1_y_q[2:0] == '1 : s1_y_q[1:0] == 2'd2)]])
 mutant(scan_takes_over_at_the_top FILE ${scan_out} TEST board [scan]
   OLD [[h_q == '0 && v_q == 10'(ShownH);]]
   NEW [[h_q == '0 && (v_q == 10'(ShownH) || v_q == '0);]])
@@ -52,8 +52,11 @@ mutant(pixels_without_mask QUICK FILE ${pixel_writer} TEST board [pixels]
   OLD [[mask_q <= {2{!sent_there_q]]
   NEW [[mask_q <= {2{1'b0 && !sent_there_q]])
 mutant(pixels_full_block_waits FILE ${pixel_writer} TEST board "a full block*"
-  OLD [[if (full != '0)                   candidates = full;]]
-  NEW [[if (full == '1)                   candidates = full;]])
+  OLD [[if ((full_q & open_q) != '0) candidates]]
+  NEW [[if ((full_q & open_q) == '1) candidates]])
+mutant(pixels_wait_for_a_buffer_that_is_free FILE ${pixel_writer} TEST board [pixels]
+  OLD [[entered == '0 && state_q == StIdle;]]
+  NEW [[entered == '0;]])
 mutant(pixels_of_the_block_before FILE ${pixel_writer} TEST board [pixels]
   OLD [[(begins ? 16'd0 : there_q[16*i +: 16])]]
   NEW [[(begins && 1'b0 ? 16'd0 : there_q[16*i +: 16])]])
