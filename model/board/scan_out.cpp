@@ -109,13 +109,14 @@ std::uint32_t ScanOut::ticks_to_event() const {
 std::uint64_t ScanOut::quiet() const {
     if (req_valid_ || pending_ != 0 || to_request_ != 0 || taken_ || start_ || opens_ || s3_late_) return 0;
     // The event comes with the tick after so many others.
-    const std::uint64_t phase = std::uint64_t(ticks_to_event() + 1) * shape_.chip_khz - phase_;
-    return (phase + shape_.pixel_khz - 1) / shape_.pixel_khz - 1;
+    const std::int64_t phase = std::int64_t(ticks_to_event() + 1) * shape_.chip_khz - phase_;
+    return (std::uint64_t(phase) + shape_.pixel_khz - 1) / shape_.pixel_khz - 1;
 }
 
 void ScanOut::skip(std::uint64_t cycles) {
-    const std::uint64_t phase = phase_ + cycles * shape_.pixel_khz, ticks = phase / shape_.chip_khz;
-    phase_ = std::uint32_t(phase % shape_.chip_khz);
+    phase_ += std::int64_t(cycles * shape_.pixel_khz);
+    const std::uint64_t ticks = phase_ < 0 ? 0 : std::uint64_t(phase_) / shape_.chip_khz;
+    phase_ -= std::int64_t(ticks * shape_.chip_khz);
     const std::uint64_t pace_limit = ScreenTiming::total_width * (4U << shown_.doubled),
                         pace = pace_ + ticks * shown_.blocks_across();
     if (to_fall_ != 0) {

@@ -63,7 +63,7 @@ public:
         bool req_ready = false, beat = false;   ///< beat: 16 bits of a requested line arrive
     };
 
-    explicit ScanOut(const Shape& shape) : shape_(shape) {}
+    explicit ScanOut(const Shape& shape) : shape_(shape), phase_(-std::int64_t(shape.pixel_khz)) {}
 
     /// True if the picture is taken over at the end of this cycle.
     bool takes() const { return ticks() && h_ == 0 && v_ == ScreenTiming::shown_height; }
@@ -96,7 +96,10 @@ private:
     std::uint32_t ticks_to_event() const;
 
     Shape shape_;
-    std::uint32_t phase_ = 0, h_ = 0, v_ = ScreenTiming::shown_height;
+    /// Grows by pixel_khz per cycle; at chip_khz the beam moves. It starts below 0 because the RTL registers
+    /// the tick.
+    std::int64_t phase_;
+    std::uint32_t h_ = 0, v_ = ScreenTiming::shown_height;
     ShownPicture shown_;
     bool taken_ = false, start_ = false, opens_ = false;   ///< events of the cycle before
     std::uint32_t opened_ = 0;                             ///< rows of blocks that may have been requested

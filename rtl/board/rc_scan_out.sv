@@ -68,24 +68,26 @@ module rc_scan_out #(
 
   // ---- Beam: one tick for each pixel clock. A reset begins at the vertical blank.
   logic [PhaseW-1:0] phase_q, phase_sum;
-  logic              tick, line_ends, takes;
+  logic              phase_wraps, tick_q, line_ends, takes;
   logic [9:0]        h_q, v_q;
 
-  assign phase_sum = phase_q + PhaseW'(PixelKhz);
-  assign tick      = phase_sum >= PhaseW'(ChipKhz);
-  assign line_ends = h_q == 10'(TotalW - 1);
-  assign takes     = tick && h_q == '0 && v_q == 10'(ShownH);
-  assign takes_o   = takes;
+  assign phase_sum   = phase_q + PhaseW'(PixelKhz);
+  assign phase_wraps = phase_sum >= PhaseW'(ChipKhz);
+  assign line_ends   = h_q == 10'(TotalW - 1);
+  assign takes       = tick_q && h_q == '0 && v_q == 10'(ShownH);
+  assign takes_o     = takes;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       phase_q <= '0;
+      tick_q  <= 1'b0;
       h_q     <= '0;
       v_q     <= 10'(ShownH);
     end else begin
-      phase_q <= tick ? phase_sum - PhaseW'(ChipKhz) : phase_sum;
-      if (tick) h_q <= line_ends ? '0 : h_q + 1'b1;
-      if (tick && line_ends) v_q <= v_q == 10'(TotalH - 1) ? '0 : v_q + 1'b1;
+      phase_q <= phase_wraps ? phase_sum - PhaseW'(ChipKhz) : phase_sum;
+      tick_q  <= phase_wraps;
+      if (tick_q) h_q <= line_ends ? '0 : h_q + 1'b1;
+      if (tick_q && line_ends) v_q <= v_q == 10'(TotalH - 1) ? '0 : v_q + 1'b1;
     end
   end
 
@@ -135,7 +137,7 @@ module rc_scan_out #(
   always_ff @(posedge clk_i) begin
     last_line_q <= s1_y_q < shown_h_q && (double_q ? s1_y_q[2:0] == '1 : s1_y_q[1:0] == '1)
                 && opened_q < rows_q;
-    opens_q     <= rst_ni && tick && h_q == 10'(ShownW) && last_line_q;
+    opens_q     <= rst_ni && tick_q && h_q == 10'(ShownW) && last_line_q;
   end
 
   // ---- Requests. to_request_q counts the blocks of opened rows that are not yet offered, to_fall_q
@@ -149,7 +151,7 @@ module rc_scan_out #(
 
   assign pace_limit = double_q ? 13'(2 * RowClocks) : 13'(RowClocks);
   assign pace_sum   = pace_q + 13'(blocks_q);
-  assign falls      = tick && to_fall_q != '0 && pace_sum >= pace_limit;
+  assign falls      = tick_q && to_fall_q != '0 && pace_sum >= pace_limit;
   assign issues     = to_request_q != '0 && pending_q != PendingW'(InFlight)
                    && (!req_valid_q || req_ready_i) && !takes;
 
@@ -187,7 +189,7 @@ module rc_scan_out #(
     end
 
     if (takes)                        pace_q <= '0;
-    else if (tick && to_fall_q != '0) pace_q <= falls ? pace_sum - pace_limit : pace_sum;
+    else if (tick_q && to_fall_q != '0) pace_q <= falls ? pace_sum - pace_limit : pace_sum;
 
     if (issues) addr_q <= next_addr_q;
     if (start_q)     next_addr_q <= base_q;
@@ -234,7 +236,7 @@ module rc_scan_out #(
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) s1_valid_q <= 1'b0;
-    else         s1_valid_q <= tick;
+    else         s1_valid_q <= tick_q;
     s1_de_q    <= h_q < 10'(ShownW) && v_q < 10'(ShownH);
     s1_hsync_q <= !(h_q >= 10'(HSyncAt) && h_q < 10'(HBackAt));
     s1_x_q     <= h_q - left_q;
@@ -244,7 +246,7 @@ module rc_scan_out #(
   // The vertical sync changes with the leading edge of the horizontal sync.
   always_ff @(posedge clk_i) begin
     if (!rst_ni) s1_vsync_q <= 1'b1;
-    else if (tick && h_q == 10'(HSyncAt))
+    else if (tick_q && h_q == 10'(HSyncAt))
       s1_vsync_q <= !(v_q >= 10'(VSyncAt - 1) && v_q < 10'(VBackAt - 1));
   end
 

@@ -34,8 +34,8 @@ mutant(scan_blue_from_the_low_beat FILE ${scan_out} TEST board [scan]
   OLD [[{rd_data_i[7:0], low_q}]]
   NEW [[{low_q[7:0], low_q}]])
 mutant(scan_vsync_at_the_start_of_a_line FILE ${scan_out} TEST board [screen]
-  OLD [[else if (tick && h_q == 10'(HSyncAt))]]
-  NEW [[else if (tick && h_q == 10'd0)]])
+  OLD [[else if (tick_q && h_q == 10'(HSyncAt))]]
+  NEW [[else if (tick_q && h_q == 10'd0)]])
 mutant(scan_hsync_one_clock_short FILE ${scan_out} TEST board [screen]
   OLD [[HBackAt = 752]]
   NEW [[HBackAt = 751]])
