@@ -1,17 +1,17 @@
 // Pixel writer: gathers finished pixels, which come in any order, into blocks of 4x4 pixels and
 // writes the blocks to memory. A block is a line of 64 bytes: 16 words, word 4 * (y % 4) + x % 4,
-// with red in byte 0, green in byte 1, blue in byte 2 and 0 in byte 3. Block (x / 4, y / 4) is line
-// base_i + (y / 4) * ceil(width_i / 4) + x / 4.
+// with red in byte 0, green in byte 1, blue in byte 2 and 0 in byte 3. Block (x / 4, y / 4) is
+// line base_i + (y / 4) * ceil(width_i / 4) + x / 4.
 //
-// Four buffers hold a block each. A pixel enters the buffer of its block, or a free one. A buffer is
-// written, one at a time, the oldest first: if it is full; else if a pixel needs a buffer and none
-// is free; else while flush_i is high. Words without a pixel are masked. A pixel is accepted in each
-// cycle, until it needs a buffer that is not free. A write takes four cycles, the time until the
-// request is accepted, and its 32 beats.
+// Four buffers hold a block each. A pixel enters the buffer of its block, or a free one. A buffer
+// is written, one at a time, the oldest first: if it is full; else if a pixel needs a buffer and
+// none is free; else while flush_i is high. Words without a pixel are masked. A pixel is accepted
+// in each cycle, until it needs a buffer that is not free. A write takes four cycles, the time
+// until the request is accepted, and its 32 beats.
 //
-// base_i and width_i may change only while empty_o is high. Raise flush_i after the last pixel: each
-// pixel that comes while it is high may cost a write of its own. empty_o is high when no pixel is
-// inside, so the last beat of the last write has been taken.
+// base_i and width_i may change only while empty_o is high. Raise flush_i after the last pixel:
+// each pixel that comes while it is high may cost a write of its own. empty_o is high when no
+// pixel is inside, so the last beat of the last write has been taken.
 // Model: model/board/pixel_writer.hpp (PixelWriter).
 `default_nettype none
 module rc_pixel_writer #(
@@ -82,8 +82,8 @@ module rc_pixel_writer #(
     for (int i = 0; i < Buffers; i++) if (entered[i]) entered_index = 2'(i);
   end
 
-  // ---- The buffer to write next: the oldest of the full ones, or of all. What it depends on comes
-  // from registers: a buffer has been full, and a pixel has waited, for a cycle.
+  // ---- The buffer to write next: the oldest of the full ones, or of all. What it depends on
+  // comes from registers: a buffer has been full, and a pixel has waited, for a cycle.
   typedef enum logic [2:0] {StIdle, StRead, StMultiply, StAdd, StRequest, StBeats} state_e;
   state_e             state_q;
   logic [Buffers-1:0] full_q, candidates, oldest;

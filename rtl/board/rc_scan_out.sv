@@ -1,25 +1,27 @@
-// Scan-out: reads the shown picture from memory and produces the pixels of a 640x480 screen at 60 Hz.
+// Scan-out: reads the shown picture from memory and produces the pixels of a screen with 640x480
+// pixels at 60 Hz.
 //
 // A frame has 800x525 pixel clocks (640+16+96+48 by 480+10+2+33, both syncs active low). A phase
-// accumulator gives one tick for every pixel clock: PixelKhz ticks in ChipKhz cycles, evenly spread.
-// Only the ratio of the two parameters matters, and it must be the ratio of the clocks. A tick's
-// pixel leaves four cycles later, without back-pressure.
+// accumulator gives one tick for every pixel clock: PixelKhz ticks in ChipKhz cycles, evenly
+// spread. Only the ratio of the two parameters matters, and it must be the ratio of the clocks. A
+// tick's pixel leaves four cycles later, without back-pressure.
 //
 // The picture lies in memory in blocks of 4x4 pixels, one line of 64 bytes each, so its lines are
-// read in ascending order from base_i. Two row buffers hold four rows of pixels each. While the beam
-// shows a row of blocks, the next one is fetched. A row buffer is opened for fetching when the beam
-// leaves its last pixel.
+// read in ascending order from base_i. Two row buffers hold four rows of pixels each. While the
+// beam shows a row of blocks, the next one is fetched. A row buffer is opened for fetching when
+// the beam leaves its last pixel.
 //
 // Blocks fall due at an even pace: all blocks of a row within the time in which a row is shown.
 // urgent_o is high while the offered block is due. Underruns are impossible if the memory, while
 // urgent_o is high, is as fast as blocks fall due (model/board/scan_out.hpp: worst_line_cycles).
 //
 // base_i, width_i, height_i and double_i are taken over at the start of the vertical blank
-// (takes_o). Lines of the last picture that still arrive are discarded. A picture that does not fit
-// the screen, or has no pixels, is not fetched: the screen is black. double_i shows each pixel as
-// 2x2. The picture is centred; an odd margin is smaller at the left and at the top.
+// (takes_o). Lines of the last picture that still arrive are discarded. A picture that does not
+// fit the screen, or has no pixels, is not fetched: the screen is black. double_i shows each
+// pixel as 2x2. The picture is centred; an odd margin is smaller at the left and at the top.
 //
-// A pixel that is shown before its block has arrived is black and counted (underruns_o, saturating).
+// A pixel that is shown before its block has arrived is black and counted (underruns_o,
+// saturating).
 // Model: model/board/scan_out.hpp (ScanOut).
 `default_nettype none
 module rc_scan_out #(
@@ -41,7 +43,7 @@ module rc_scan_out #(
   output logic             req_valid_o,
   input  logic             req_ready_i,
   output logic [LineW-1:0] req_addr_o,
-  output logic             urgent_o,        // the offered line is due
+  output logic             urgent_o,        // the offered line is due, until it is accepted
   input  logic             rd_valid_i,
   input  logic [15:0]      rd_data_i,
   // To the screen
@@ -55,7 +57,7 @@ module rc_scan_out #(
   localparam int unsigned ShownH = 480, VSyncAt = 490, VBackAt = 492, TotalH = 525;
   localparam int unsigned Blocks    = ShownW / 4;              // of a row buffer
   localparam int unsigned PhaseW    = $clog2(ChipKhz + PixelKhz);
-  localparam int unsigned PendingW  = $clog2(InFlight + 1);
+  localparam int unsigned PendingW  = InFlight < 1 ? 1 : $clog2(InFlight + 1);
   localparam int unsigned RowClocks = 4 * TotalW;              // pixel clocks of four lines
   localparam int unsigned CountW    = 15;                      // blocks of a picture: at most 19200
 
@@ -129,7 +131,8 @@ module rc_scan_out #(
   end
 
   // ---- Row buffers: opened is the number of rows of blocks that may have been requested.
-  // The beam leaves the last pixel of a row of blocks when the blank begins; opens_q is one cycle later.
+  // The beam leaves the last pixel of a row of blocks when the blank begins; opens_q is one cycle
+  // later.
   logic [9:0] s1_y_q;      // lines of the screen below the picture's top, constant from h_q = 1 on
   logic       opens_q, last_line_q;
   logic [7:0] opened_q;
@@ -140,8 +143,8 @@ module rc_scan_out #(
     opens_q     <= rst_ni && tick_q && h_q == 10'(ShownW) && last_line_q;
   end
 
-  // ---- Requests. to_request_q counts the blocks of opened rows that are not yet offered, to_fall_q
-  // those that are not yet due.
+  // ---- Requests. to_request_q counts the blocks of opened rows that are not yet offered,
+  // to_fall_q those that are not yet due.
   logic [CountW-1:0]   to_request_q, to_fall_q, added;
   logic [12:0]         pace_q, pace_sum, pace_limit;
   logic                falls, issues, line_done;
@@ -200,8 +203,8 @@ module rc_scan_out #(
   assign req_addr_o  = addr_q;
   assign urgent_o    = req_valid_q && to_request_q >= to_fall_q;
 
-  // ---- Arrival: two beats make a pixel. All blocks before block arrived_q of row arrived_row_q are
-  // in the row buffers.
+  // ---- Arrival: two beats make a pixel. All blocks before block arrived_q of row arrived_row_q
+  // are in the row buffers.
   logic [4:0]  beat_q;
   logic [15:0] low_q;
   logic        keeps;

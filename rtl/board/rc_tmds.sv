@@ -1,10 +1,10 @@
 // TMDS encoder of one channel, as in the DVI 1.0 specification, figure 3-5. Latency 2, one symbol
 // per pixel clock.
 //
-// The first stage reduces the transitions of a byte (bit 8 of a symbol: XOR, not XNOR). The second
-// inverts the byte (bit 9) so that ones and zeros balance. disparity_q is half of the ones minus
-// the zeros sent since the last control symbol. It stays from -4 to 4. In the blank the channel sends
-// one of four control symbols, and the disparity returns to 0.
+// The first stage reduces the transitions of a byte (bit 8 of a symbol: XOR, not XNOR). The
+// second inverts the byte (bit 9) so that ones and zeros balance. disparity_q is half of the ones
+// minus the zeros sent since the last control symbol. It stays from -4 to 4. In the blank the
+// channel sends one of four control symbols, and the disparity returns to 0.
 `default_nettype none
 module rc_tmds (
   input  logic       clk_i,       // the pixel clock
@@ -49,8 +49,8 @@ module rc_tmds (
   end
 
   always_comb begin
+    inverts = (disparity_q > 4'sd0) == (excess > 4'sd0);
     if (disparity_q == 4'sd0 || excess == 4'sd0) inverts = !xor_q;
-    else                                         inverts = (disparity_q > 4'sd0) == (excess > 4'sd0);
     // Bits 9 and 8 add to the balance of the byte: 1 if both are set, -1 if both are clear.
     disparity = inverts ? disparity_q - excess : disparity_q + excess;
     if (inverts && xor_q)        disparity = disparity + 4'sd1;

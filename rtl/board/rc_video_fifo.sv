@@ -1,14 +1,14 @@
 // Queue from the chip's clock to the pixel clock for a stream with the same average rate on both
 // sides. Depth is a power of two, at least 8.
 //
-// The input has no back-pressure: the writer is a tick generator that is as fast as the pixel clock
-// on average. The output starts when half of the queue is filled, and from then on takes an entry
-// every pixel clock. An entry is visible to the reader after two to three pixel clocks. If an entry
-// is missing, the output stops until half of the queue is filled again.
+// The input has no back-pressure: the writer is a tick generator that is as fast as the pixel
+// clock on average. The output starts when half of the queue is filled, and from then on takes an
+// entry every pixel clock. An entry is visible to the reader after two to three pixel clocks. If
+// an entry is missing, the output stops until half of the queue is filled again.
 //
-// A full queue drops an entry. overflow_o (at clk_i) and underflow_o (at pixel_clk_i) stay high once
-// this or a missing entry has happened, until a reset. Both resets must be active together. The
-// pointers cross in Gray code.
+// A full queue drops an entry. overflow_o (at clk_i) and underflow_o (at pixel_clk_i) stay high
+// once this or a missing entry has happened, until a reset. Both resets must be active together.
+// The pointers cross in Gray code.
 `default_nettype none
 module rc_video_fifo #(
   parameter  int unsigned Width  = 1,

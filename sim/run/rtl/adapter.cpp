@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "model/base/split.hpp"
 #include "model/machine/links.hpp"
 
 namespace rayclock {
@@ -128,6 +129,14 @@ bool has_reset(const std::string& module) {
 bool has_clock(const std::string& module) { return module != "rc_log"; }
 
 }   // namespace
+
+std::string module_name(const std::string& module) { return module.substr(0, module.find(',')); }
+
+std::vector<std::string> module_parameters(const std::string& module) {
+    std::vector<std::string> parameters = split(module, ',');
+    parameters.erase(parameters.begin());
+    return parameters;
+}
 
 std::vector<PortSpec> ports_of(const std::string& with_parameters, const Config& config) {
     using enum PortKind;

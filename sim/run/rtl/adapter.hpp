@@ -28,7 +28,9 @@ struct PortSpec {
 };
 
 /// A module may be given with values of its parameters: "rc_scan_out,ChipKhz=50000". Returns its name alone.
-inline std::string module_name(const std::string& module) { return module.substr(0, module.find(',')); }
+std::string module_name(const std::string& module);
+/// Returns the values: {"ChipKhz=50000"}.
+std::vector<std::string> module_parameters(const std::string& module);
 
 /// Returns the links of a module that can be built on its own: rc_chip, a unit or a part of the board. Those
 /// of rc_chip include every link of pipeline p as "<link>[p]". Throws std::logic_error for any other name.

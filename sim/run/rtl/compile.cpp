@@ -60,12 +60,11 @@ Arguments operator+(Arguments words, const Arguments& more) {
     return words;
 }
 
-/// Returns Verilator's arguments for a module with parameters (module_name()).
-Arguments top_arguments(const std::string& module) {
+/// Returns Verilator's arguments for the top. A netlist has no parameters any more.
+Arguments top_arguments(const std::string& module, bool is_netlist) {
     Arguments words{"--top-module", module_name(module)};
-    std::istringstream rest(module.substr(words[1].size()));
-    rest.ignore();
-    for (std::string parameter; std::getline(rest, parameter, ',');) words.push_back("-G" + parameter);
+    if (!is_netlist)
+        for (const std::string& parameter : module_parameters(module)) words.push_back("-G" + parameter);
     return words;
 }
 
@@ -82,7 +81,7 @@ void verilate(const fs::path& folder, const Config& config, const std::string& m
     const Arguments words = Arguments{"verilator"} + verilator_flags +
                             (netlist.empty() ? Arguments{} : netlist_verilator_flags) +
                             (waves == Waves::yes ? wave_verilator_flags : Arguments{}) +
-                            top_arguments(module) + Arguments{"--Mdir", "obj", "taps.vlt"} + files;
+                            top_arguments(module, !netlist.empty()) + Arguments{"--Mdir", "obj", "taps.vlt"} + files;
     const std::string what =
         fmt::format("verilator on {} of {}{}", module, rtl_sources().string(), replacements_text());
     run_tools(folder, {{words, "verilator.log"}}, what, meanwhile);
