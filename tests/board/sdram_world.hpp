@@ -7,26 +7,12 @@
 #include "model/board/sdram.hpp"
 #include "sim/board/sdram_chip.hpp"
 #include "sim/run/rtl/rtl_module.hpp"
+#include "sim/run/rtl/signal.hpp"
 #include "tests/support/cases/draw.hpp"
 #include "tests/support/dut/dut.hpp"
 #include <catch2/catch.hpp>
 
 namespace rayclock::test {
-
-/// A port of up to 64 bits.
-class Signal {
-public:
-    Signal(const RtlModule& rtl, const char* name) : port_(rtl.port(name)) {}
-    operator std::uint64_t() const {
-        std::uint64_t value = 0;
-        std::memcpy(&value, port_.data, std::min(port_.bytes, 8u));
-        return value;
-    }
-    void operator=(std::uint64_t value) { std::memcpy(port_.data, &value, std::min(port_.bytes, 8u)); }
-
-private:
-    RcPort port_;
-};
 
 /// Fails if an output of the RTL differs from the model's. REQUIRE would take longer than the cycle.
 inline void same(std::uint64_t cycle, const char* what, std::uint64_t rtl, std::uint64_t model) {

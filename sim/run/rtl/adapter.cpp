@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "model/machine/links.hpp"
+#include "sim/run/rtl/board_ports.hpp"
 
 namespace rayclock {
 
@@ -22,7 +23,8 @@ std::string port_line(const std::string& module, const PortSpec& p) {
         case PortKind::in: return line("&top." + n + "_valid_i", "&top." + n + "_ready_o", "top." + n + "_i");
         case PortKind::out:
             return line("&top." + n + "_valid_o", "&top." + n + "_ready_i", "top." + n + "_o");
-        case PortKind::fixed: return line("nullptr", "nullptr", "top." + n + "_i");
+        case PortKind::fixed:
+            return line("nullptr", "nullptr", "top." + (p.data.empty() ? n : p.data) + "_i");
         case PortKind::listen: return line("&top." + n + "_fires_i", "nullptr", "top." + n + "_i");
         case PortKind::granted:
             return line("&top." + n + "_fires_i", "&top." + n + "_ready_o", "top." + n + "_i");
@@ -30,6 +32,7 @@ std::string port_line(const std::string& module, const PortSpec& p) {
         case PortKind::plain:
             return line("nullptr", "nullptr", "top." + (p.data.empty() ? n : p.data) + "_o");
         case PortKind::low: return line("nullptr", "nullptr", "top." + n + "_no");
+        case PortKind::low_in: return line("nullptr", "nullptr", "top." + n + "_ni");
         case PortKind::tap: break;
     }
     return fmt::format("        tap(\"{}\", \"TOP.{}{}\", \"{}\", \"{}\", \"{}\");\n", n, module, p.path,
@@ -81,46 +84,10 @@ std::vector<PortSpec> taps_of_chip(const Config& config) {
     return taps;
 }
 
-/// Returns the pins of the board's SDRAM.
-std::vector<PortSpec> sdram_pins() {
-    using enum PortKind;
-    std::vector<PortSpec> ports;
-    for (const char* name : {"sd_cke", "sd_ba", "sd_a", "sd_dqm", "sd_dq_oe"}) ports.push_back({name, plain});
-    for (const char* name : {"sd_cs", "sd_ras", "sd_cas", "sd_we"}) ports.push_back({name, low});
-    ports.push_back({"sd_dq", fixed});
-    ports.push_back({"sd_dq_out", plain, "", "", "", "", "sd_dq"});
-    return ports;
-}
-
-/// Returns the ports of the modules of rtl/board, or none. `module` has no parameters.
-std::vector<PortSpec> ports_of_board(const std::string& module) {
-    using enum PortKind;
-    std::vector<PortSpec> ports;
-    const auto add = [&](PortKind kind, std::initializer_list<const char*> names) {
-        for (const char* name : names) ports.push_back({name, kind});
-    };
-    if (module == "rc_sdram") {
-        ports = sdram_pins();
-        add(fixed, {"req_valid", "req_write", "req_addr", "req_tag", "wr_data", "wr_mask"});
-        add(plain,
-            {"init_done", "req_ready", "wr_next", "wr_tag", "rd_valid", "rd_last", "rd_tag", "rd_data"});
-    }
-    if (module == "rc_board_memory") {
-        ports = sdram_pins();
-        add(fixed,
-            {"scan_req_valid", "scan_req_addr", "scan_urgent", "pix_req_valid", "pix_req_addr", "pix_data",
-             "pix_mask", "host_req_valid", "host_req_write", "host_req_addr", "host_wr_data"});
-        add(plain, {"init_done", "scan_req_ready", "scan_rd_valid", "scan_rd_data", "pix_req_ready",
-                    "pix_next", "host_req_ready", "host_next", "host_rd_valid", "host_rd_data"});
-        add(in, {"mem_req"});
-        add(PortKind::fires, {"mem_rsp"});
-    }
-    return ports;
-}
-
 /// Returns true if the module has a reset. Arithmetic cells have none.
 bool has_reset(const std::string& module) {
-    return module != "rc_unit" && module != "rc_power" && module != "rc_log" && module != "rc_path_length";
+    return module != "rc_unit" && module != "rc_power" && module != "rc_log" && module != "rc_path_length" &&
+           module != "rc_tmds";
 }
 /// Returns true if the module has a clock. Combinational cells have none.
 bool has_clock(const std::string& module) { return module != "rc_log"; }
@@ -142,7 +109,7 @@ std::vector<std::pair<std::string, std::string>> parameter_values(const std::str
 
 std::vector<PortSpec> ports_of(const std::string& module, const Config& config) {
     using enum PortKind;
-    if (std::vector<PortSpec> ports = ports_of_board(module_name(module)); !ports.empty()) return ports;
+    if (std::vector<PortSpec> ports = board_ports(module_name(module)); !ports.empty()) return ports;
     if (module == "rc_chip") {
         std::vector<PortSpec> ports = taps_of_chip(config);
         for (const char* name : {"wb_cyc", "wb_stb", "wb_we", "wb_adr", "wb_dat", "hit_ready"})

@@ -12,12 +12,13 @@ namespace rayclock {
 enum class PortKind {
     in,        ///< <name>_valid_i, <name>_ready_o, <name>_i
     out,       ///< <name>_valid_o, <name>_ready_i, <name>_o
-    fixed,     ///< <name>_i alone
+    fixed,     ///< <name>_i alone; or <data>_i if an output has that name already
     listen,    ///< <name>_fires_i, <name>_i: always accepted
     granted,   ///< <name>_ready_o, <name>_fires_i, <name>_i: sent only if there is room
     fires,     ///< <name>_fires_o, <name>_o: always accepted by the receiver
     plain,     ///< <name>_o alone: a plain output; or <data>_o if an input has that name already
     low,       ///< <name>_no alone: a plain output that is active low
+    low_in,    ///< <name>_ni alone: an input that is active low
     tap,       ///< signals of an inner instance; see PortSpec
 };
 /// A link of a module.

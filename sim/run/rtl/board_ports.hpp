@@ -1,0 +1,15 @@
+#pragma once
+// The ports of the modules of rtl/board that are simulated alone.
+#include <string>
+#include <vector>
+
+#include "sim/run/rtl/adapter.hpp"
+
+namespace rayclock {
+
+/// Returns the ports of a module of rtl/board, which is named without parameters; nothing for any other
+/// module. Clocks and resets besides clk_i and rst_ni are ports that the user drives. A port that exists in
+/// both directions is called <name> as an input and <name>_out as an output.
+std::vector<PortSpec> board_ports(const std::string& module);
+
+}   // namespace rayclock
