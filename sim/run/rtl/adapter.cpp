@@ -1,7 +1,9 @@
 // The ports of each module, and the text of the adapter.
 #include "sim/run/rtl/adapter.hpp"
 
+#include <iterator>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -21,7 +23,8 @@ std::string port_line(const std::string& module, const PortSpec& p) {
         case PortKind::in: return line("&top." + n + "_valid_i", "&top." + n + "_ready_o", "top." + n + "_i");
         case PortKind::out:
             return line("&top." + n + "_valid_o", "&top." + n + "_ready_i", "top." + n + "_o");
-        case PortKind::fixed: return line("nullptr", "nullptr", "top." + n + "_i");
+        case PortKind::fixed:
+            return line("nullptr", "nullptr", "top." + (p.data.empty() ? n : p.data) + "_i");
         case PortKind::listen: return line("&top." + n + "_fires_i", "nullptr", "top." + n + "_i");
         case PortKind::granted:
             return line("&top." + n + "_fires_i", "&top." + n + "_ready_o", "top." + n + "_i");
@@ -79,6 +82,37 @@ std::vector<PortSpec> taps_of_chip(const Config& config) {
     return taps;
 }
 
+/// Returns the ports of a module of the host link (rtl/board), or nothing for any other module. A port that
+/// exists in both directions is called "<name>_in" and "<name>_out".
+std::vector<PortSpec> ports_of_link(const std::string& module) {
+    using enum PortKind;
+    if (module == "rc_uart_rx") return {{"rx", fixed}, {"valid", plain}, {"data", plain}, {"fault", plain}};
+    if (module == "rc_uart_tx") return {{"valid", fixed}, {"data", fixed}, {"ready", plain}, {"tx", plain}};
+    const bool with_uart = module == "rc_host_link";
+    if (!with_uart && module != "rc_link") return {};
+    std::vector<PortSpec> ports{{"wb_dat_in", fixed, "", "", "", "", "wb_dat"},
+                                {"wb_dat_out", plain, "", "", "", "", "wb_dat"}};
+    for (const char* name :
+         {"wb_ack", "wb_err", "host_req_ready", "host_next", "host_rd_valid", "host_rd_data"})
+        ports.push_back({name, fixed});
+    for (const char* name : {"wb_cyc", "wb_stb", "wb_we", "wb_adr", "host_req_valid", "host_req_write",
+                             "host_req_addr", "host_wr_data"})
+        ports.push_back({name, plain});
+    if (with_uart) {
+        for (const char* name : {"rx", "init_done", "flushed", "underruns", "cycles"})
+            ports.push_back({name, fixed});
+        for (const char* name : {"tx", "chip_reset", "flush", "base", "width", "height", "double"})
+            ports.push_back({name, plain});
+        return ports;
+    }
+    ports.push_back({"reg_data_in", fixed, "", "", "", "", "reg_data"});
+    ports.push_back({"reg_data_out", plain, "", "", "", "", "reg_data"});
+    for (const char* name : {"rx_valid", "rx_data", "tx_ready", "reg_good"}) ports.push_back({name, fixed});
+    for (const char* name : {"rx_ready", "tx_valid", "tx_data", "reg_valid", "reg_write", "reg_addr", "bad"})
+        ports.push_back({name, plain});
+    return ports;
+}
+
 /// Returns true if the module has a reset. Arithmetic cells have none.
 bool has_reset(const std::string& module) {
     return module != "rc_unit" && module != "rc_power" && module != "rc_log" && module != "rc_path_length";
@@ -88,8 +122,17 @@ bool has_clock(const std::string& module) { return module != "rc_log"; }
 
 }   // namespace
 
-std::vector<PortSpec> ports_of(const std::string& module, const Config& config) {
+std::string module_name(const std::string& module) { return module.substr(0, module.find(' ')); }
+
+std::vector<std::string> module_parameters(const std::string& module) {
+    std::istringstream words(module.substr(module_name(module).size()));
+    return {std::istream_iterator<std::string>(words), {}};
+}
+
+std::vector<PortSpec> ports_of(const std::string& module_with_parameters, const Config& config) {
     using enum PortKind;
+    const std::string module = module_name(module_with_parameters);
+    if (const auto ports = ports_of_link(module); !ports.empty()) return ports;
     if (module == "rc_chip") {
         std::vector<PortSpec> ports = taps_of_chip(config);
         for (const char* name : {"wb_cyc", "wb_stb", "wb_we", "wb_adr", "wb_dat", "hit_ready"})
@@ -196,7 +239,8 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
     throw std::logic_error("no module of the RTL that can be built alone is called " + module);
 }
 
-std::string adapter_source(const std::string& module, const Config& config) {
+std::string adapter_source(const std::string& module_with_parameters, const Config& config) {
+    const std::string module = module_name(module_with_parameters);
     std::string ports;
     for (const PortSpec& p : ports_of(module, config)) ports += port_line(module, p);
     return fmt::format(

@@ -11,7 +11,7 @@ namespace rayclock {
 enum class PortKind {
     in,        ///< <name>_valid_i, <name>_ready_o, <name>_i
     out,       ///< <name>_valid_o, <name>_ready_i, <name>_o
-    fixed,     ///< <name>_i alone
+    fixed,     ///< <name>_i alone; or <data>_i if an output has that name already
     listen,    ///< <name>_fires_i, <name>_i: always accepted
     granted,   ///< <name>_ready_o, <name>_fires_i, <name>_i: sent only if there is room
     fires,     ///< <name>_fires_o, <name>_o: always accepted by the receiver
@@ -26,6 +26,11 @@ struct PortSpec {
     /// means that there is no such signal.
     std::string path{}, module{}, valid{}, ready{}, data{};
 };
+
+/// A module may be followed by values of its parameters, in Verilator's notation and in any number:
+/// "rc_host_link -GBaud=115200". These functions return the module's name, and the words after it.
+std::string module_name(const std::string& module);
+std::vector<std::string> module_parameters(const std::string& module);
 
 /// Returns the links of a module that can be built on its own: rc_chip or a unit. Those of rc_chip include
 /// every link of pipeline p as "<link>[p]". Throws std::logic_error for any other name.

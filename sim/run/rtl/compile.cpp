@@ -73,7 +73,8 @@ void verilate(const fs::path& folder, const Config& config, const std::string& m
     const Arguments words = Arguments{"verilator"} + verilator_flags +
                             (netlist.empty() ? Arguments{} : netlist_verilator_flags) +
                             (waves == Waves::yes ? wave_verilator_flags : Arguments{}) +
-                            Arguments{"--top-module", module, "--Mdir", "obj", "taps.vlt"} + files;
+                            Arguments{"--top-module", module_name(module)} + module_parameters(module) +
+                            Arguments{"--Mdir", "obj", "taps.vlt"} + files;
     const std::string what =
         fmt::format("verilator on {} of {}{}", module, rtl_sources().string(), replacements_text());
     run_tools(folder, {{words, "verilator.log"}}, what, meanwhile);
@@ -169,7 +170,7 @@ std::string build_inputs(const Config& config, const std::string& module, Waves 
         for (const Arguments& some : flags)
             for (const std::string& flag : some) all += " " + flag;
     };
-    add({verilator_flags, compiler_flags(), start_flags});
+    add({module_parameters(module), verilator_flags, compiler_flags(), start_flags});
     if (form == Form::rtl) {
         all += source_inputs();
     } else {
@@ -220,8 +221,9 @@ void make_library(const fs::path& folder, const Config& config, const std::strin
 
 std::string lint_library(const fs::path& folder, const Config& config, const std::string& module) {
     const Arguments files = stage_sources(folder, config);
-    Process lint({Arguments{"verilator", "--lint-only", "-Wall", "--top-module", module} + files, folder,
-                  folder / "lint.log", folder});
+    Process lint({Arguments{"verilator", "--lint-only", "-Wall", "--top-module", module_name(module)} +
+                      module_parameters(module) + files,
+                  folder, folder / "lint.log", folder});
     lint.wait("interrupted: nothing is written");
     // Newer versions of Verilator add a report in lines that begin with a dash.
     std::istringstream log(read_if_there(folder / "lint.log"));
