@@ -29,9 +29,10 @@ module rc_uart_rx #(
   logic [7:0] data_q;
   logic       ends;
 
-  // Synchroniser.
+  // Synchroniser. After a reset the receiver first waits until the line is high: a line that is low
+  // then is not a start bit.
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) {line_q, meta_q} <= 2'b11;
+    if (!rst_ni) {line_q, meta_q} <= 2'b00;
     else         {line_q, meta_q} <= {meta_q, rx_i};
   end
 
@@ -47,7 +48,7 @@ module rc_uart_rx #(
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      state_q <= StBreak;   // a line that is low at the reset is not a start bit
+      state_q <= StBreak;
     end else begin
       case (state_q)
         StIdle:  if (!line_q) state_q <= StStart;

@@ -31,7 +31,8 @@ std::string error_text(int error) { return std::strerror(error); }
 
 std::string port_problem(const std::string& name, int error) {
     switch (error) {
-        case ENOENT: return name + ": there is no such port; is the board plugged in?";
+        case ENOENT:
+        case ENOTDIR: return name + ": there is no such port; is the board plugged in?";
         case EACCES:
         case EPERM:
             return name + ": no permission to open this port; on many systems the group dialout may open it";

@@ -169,8 +169,8 @@ class ByteBoard : public LinkBoard, public Channel {
 public:
     static constexpr int quiet = 300;   ///< cycles
 
-    explicit ByteBoard(int seed)
-        : LinkBoard("rc_link", "-GQuietCycles=" + std::to_string(quiet), seed),
+    explicit ByteBoard(int seed, int quiet_cycles = quiet)
+        : LinkBoard("rc_link", "-GQuietCycles=" + std::to_string(quiet_cycles), seed),
           rx_valid_(&rtl.port("rx_valid")),
           rx_data_(&rtl.port("rx_data")),
           rx_ready_(&rtl.port("rx_ready")),
