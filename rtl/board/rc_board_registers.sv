@@ -2,13 +2,13 @@
 // lists them; sim/board/protocol.hpp mirrors their numbers.
 //
 // An access is answered in its cycle, and a write has its effect in the next one. good_o is low if
-// there is no such register, or if it cannot be written. Reading the lower word of the frame's cycles
-// keeps the upper word for the next read.
+// there is no such register, or if it cannot be written. Reading the lower word of the frame's
+// cycles keeps the upper word for the next read.
 `default_nettype none
 module rc_board_registers #(
   parameter int unsigned LineBits   = 20,   // of a line's number in memory
   parameter int unsigned Version    = 1,    // version of these registers and of the packets
-  parameter logic [63:0] ConfigHash = '0    // of the configuration that the bitstream was built from
+  parameter logic [63:0] ConfigHash = '0    // of the configuration of the bitstream
 ) (
   input  logic                clk_i,
   input  logic                rst_ni,

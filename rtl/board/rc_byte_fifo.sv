@@ -1,8 +1,8 @@
 // FIFO of bytes in block RAM, between a receiver that cannot wait and rc_link.
 //
 // A byte that meets a full FIFO is lost, and lost_o is high for that cycle; the packet's checksum
-// then fails, and the host sends it again. Latency 2, one byte per cycle. The FIFO holds Depth bytes
-// in RAM and one more at its output.
+// then fails, and the host sends it again. Latency 2, one byte per cycle. The FIFO holds Depth
+// bytes in RAM and one more at its output.
 `default_nettype none
 module rc_byte_fifo #(
   parameter  int unsigned Depth = 1024,   // bytes, a power of two
@@ -33,7 +33,8 @@ module rc_byte_fifo #(
   assign reads    = !is_empty && (!valid_q || ready_i);
   assign valid_o  = valid_q;
 
-  // A place that is read was written in an earlier cycle, so no address is read and written at once.
+  // A place that is read was written in an earlier cycle, so no address is read and written at
+  // once.
   rc_ram_sync #(.Width(8), .Depth(Depth)) u_bytes (
     .clk_i, .write_i(writes), .write_addr_i(write_q[PlaceW-1:0]), .write_data_i(data_i),
     .read_i(reads), .read_addr_i(read_q[PlaceW-1:0]), .read_data_o(data_o));

@@ -1,8 +1,9 @@
 // CRC-32 of IEEE 802.3 (polynomial 0x04c11db7, reflected), one byte per cycle.
 //
-// crc_o is the checksum of the bytes since clear_i, valid one cycle after the last of them. sound_o
-// is high if the last four bytes were the checksum of the bytes before them, the low byte first: the
-// register then holds the residue of the code. The host computes the same with zlib's crc32().
+// crc_o is the checksum of the bytes since clear_i, valid one cycle after the last of them.
+// sound_o is high if the last four bytes were the checksum of the bytes before them, the low byte
+// first: the register then holds the residue of the code. The host computes the same with zlib's
+// crc32().
 `default_nettype none
 module rc_crc32 (
   input  logic        clk_i,

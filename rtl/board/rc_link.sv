@@ -1,20 +1,20 @@
-// The board's end of the host link: packets of bytes in, accesses to the chip's Wishbone bus, to the
-// board's registers and to lines of memory, and one answer for each packet.
+// The board's end of the host link: packets of bytes in, accesses to the chip's Wishbone bus, to
+// the board's registers and to lines of memory, and one answer for each packet.
 // docs/machine/board-link.md describes the packets; sim/board/protocol.hpp mirrors the constants.
 //
 // A packet is executed after its checksum is found right, and before the next one is read:
-// - A packet with a wrong checksum is dropped without an answer. So is a partial packet when no byte
-//   comes for QuietCycles cycles. bad_o is high for one cycle each time.
+// - A packet with a wrong checksum is dropped without an answer. So is a partial packet when no
+//   byte comes for QuietCycles cycles. bad_o is high for one cycle each time.
 // - A packet with the expected sequence number is executed, once. Its result is kept.
-// - A packet with one of the sixteen numbers before it was executed earlier. Its kept result is sent
-//   again. Lines of memory are read again, which changes nothing.
+// - A packet with one of the sixteen numbers before it was executed earlier. Its kept result is
+//   sent again. Lines of memory are read again, which changes nothing.
 // - Any other number is refused with the reason "gap" and the expected number.
-// - "hello" is executed whatever its number is, and sets the expected number. Before the first one,
-//   all other packets are refused.
+// - "hello" is executed whatever its number is, and sets the expected number. Before the first
+//   one, all other packets are refused.
 //
 // One state machine receives, executes and answers, so the bytes of the next packet wait in a FIFO
-// meanwhile (rc_byte_fifo). The memory must take or give 32 beats for every request that it accepts,
-// the first one not before the cycle of its acceptance.
+// meanwhile (rc_byte_fifo). The memory must take or give 32 beats for every request that it
+// accepts, the first one not before the cycle of its acceptance.
 `default_nettype none
 module rc_link #(
   parameter  int unsigned LineBits    = 20,        // of a line's number in memory
@@ -58,7 +58,7 @@ module rc_link #(
   input  logic                            host_rd_valid_i,
   input  logic [15:0]                     host_rd_data_i,
   // Statistics
-  output logic                            bad_o              // a packet or a part of one was dropped
+  output logic                            bad_o              // a packet or part was dropped
 );
   if (LineBits < 1 || LineBits > 31) begin : gen_refuse
     $error("rc_link: LineBits must be 1 to 31");
@@ -215,8 +215,8 @@ module rc_link #(
     .write_data_i({result_q, value}),
     .read_addr_i(sequence_number[HistoryW-1:0]), .read_data_o({kept_result, kept_value}));
 
-  // ---- Judgement of a packet. The head and the expected number do not change for the cycles of the
-  // checksum, so registers take the comparisons. StJudge uses them.
+  // ---- Judgement of a packet. The head and the expected number do not change for the cycles of
+  // the checksum, so registers take the comparisons. StJudge uses them.
   logic [7:0]  ahead;         // sequence number less the expected one
   logic [31:0] beyond;        // the line after the last one
   logic        for_board;     // a register of the board, not of the chip

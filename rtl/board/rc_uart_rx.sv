@@ -1,10 +1,10 @@
 // UART receiver: 8 data bits, the lowest first, no parity, one stop bit (8N1).
 //
-// A falling edge starts a byte. The receiver samples each bit once, in its middle, and the start bit
-// too: if the line is high again there, the edge was a glitch. valid_o is high for one cycle in the
-// middle of the stop bit. If the stop bit is low, the byte is discarded, fault_o is high for that
-// cycle, and the receiver waits until the line is high. After the middle of the stop bit the next
-// byte may start, so a sender may be faster by almost half a bit in ten.
+// A falling edge starts a byte. The receiver samples each bit once, in its middle, and the start
+// bit too: if the line is high again there, the edge was a glitch. valid_o is high for one cycle
+// in the middle of the stop bit. If the stop bit is low, the byte is discarded, fault_o is high
+// for that cycle, and the receiver waits until the line is high. After the middle of the stop bit
+// the next byte may start, so a sender may be faster by almost half a bit in ten.
 //
 // Latency: two cycles of synchronisation, then 9.5 bits from the edge. No back-pressure.
 `default_nettype none

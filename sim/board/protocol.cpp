@@ -47,24 +47,26 @@ std::vector<std::uint8_t> packet_bytes(const LinkCommand& command) {
     return bytes;
 }
 
-void AnswerDecoder::drop(std::size_t bytes) {
-    bytes_.erase(bytes_.begin(), bytes_.begin() + std::ptrdiff_t(bytes));
-    discarded_ += bytes;
+void AnswerDecoder::push(std::span<const std::uint8_t> bytes) {
+    bytes_.erase(bytes_.begin(), bytes_.begin() + std::ptrdiff_t(from_));
+    from_ = 0;
+    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
 }
 
 void AnswerDecoder::give_up() {
-    if (!bytes_.empty()) drop(1);
+    if (!rest().empty()) drop(1);
 }
 
 std::optional<LinkAnswer> AnswerDecoder::next() {
     for (;;) {
         // A mark, or the first byte of one at the end.
-        const auto mark = std::search(bytes_.begin(), bytes_.end(), link_mark.begin(), link_mark.end());
-        const bool is_half = mark == bytes_.end() && !bytes_.empty() && bytes_.back() == link_mark[0];
-        drop(std::size_t(mark - bytes_.begin()) - is_half);
-        if (bytes_.size() < payload_at) return {};
+        std::span<const std::uint8_t> all = rest();
+        const auto mark = std::search(all.begin(), all.end(), link_mark.begin(), link_mark.end());
+        const bool is_half = mark == all.end() && !all.empty() && all.back() == link_mark[0];
+        drop(std::size_t(mark - all.begin()) - is_half);
+        all = rest();
+        if (all.size() < payload_at) return {};
 
-        const std::span<const std::uint8_t> all(bytes_);
         LinkAnswer answer;
         const std::uint8_t kind = all[kind_at];
         answer.kind = LinkKind(kind & ~(answer_bit | refusal_bit));
@@ -81,7 +83,7 @@ std::optional<LinkAnswer> AnswerDecoder::next() {
         }
         const std::size_t payload = has_lines ? answer.count * sizeof(MemoryLine) : 0,
                           end = payload_at + payload;
-        if (bytes_.size() < end + checksum_bytes) return {};
+        if (all.size() < end + checksum_bytes) return {};
         if (number(all.subspan(end, checksum_bytes)) != link_checksum(all.subspan(kind_at, end - kind_at))) {
             drop(1);
             continue;
@@ -90,7 +92,7 @@ std::optional<LinkAnswer> AnswerDecoder::next() {
             answer.lines.resize(answer.count);
             std::memcpy(answer.lines.data(), all.data() + payload_at, payload);
         }
-        bytes_.erase(bytes_.begin(), bytes_.begin() + std::ptrdiff_t(end + checksum_bytes));
+        from_ += end + checksum_bytes;
         return answer;
     }
 }

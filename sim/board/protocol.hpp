@@ -91,9 +91,7 @@ struct LinkAnswer {
 /// given up. Memory: the bytes of one packet and of the last push.
 class AnswerDecoder {
 public:
-    void push(std::span<const std::uint8_t> bytes) {
-        bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
-    }
+    void push(std::span<const std::uint8_t> bytes);
     /// Returns the next sound answer, or nothing if its bytes have not all arrived.
     std::optional<LinkAnswer> next();
     /// Discards the beginning of a packet that does not go on. Call it after a silence, and then next().
@@ -101,9 +99,11 @@ public:
     std::uint64_t discarded() const { return discarded_; }   ///< bytes so far
 
 private:
-    void drop(std::size_t bytes);
+    std::span<const std::uint8_t> rest() const { return std::span(bytes_).subspan(from_); }
+    void drop(std::size_t bytes) { from_ += bytes, discarded_ += bytes; }
 
-    std::vector<std::uint8_t> bytes_;
+    std::vector<std::uint8_t> bytes_;   ///< received; the first `from_` are done with
+    std::size_t from_ = 0;
     std::uint64_t discarded_ = 0;
 };
 

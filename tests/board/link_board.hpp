@@ -209,8 +209,8 @@ public:
         Moved moved{out.size(), 0};
         if (cut) throw LinkLost("test: the cable is cut");
         for (const std::uint8_t byte : out) {
-            to_board_faults.pass(byte, to_board, rng);
-            if (++bytes_sent == cut_after) cut = true;
+            if (++bytes_sent != lose) to_board_faults.pass(byte, to_board, rng);
+            if (bytes_sent == cut_after) cut = true;
         }
         const std::uint64_t end = cycle + std::uint64_t(most.count());
         if (!out.empty() && most.count() == 0) step();
@@ -230,6 +230,9 @@ public:
     std::deque<std::uint8_t> to_board, to_host;
     std::uint64_t bytes_sent = 0, cut_after = 0;   ///< the cable is cut after that byte; 0: never
     bool cut = false;
+    std::uint64_t lose = 0;        ///< this byte to the board is lost; 0: none
+    std::uint64_t lose_back = 0;   ///< this byte to the host is lost; 0: none
+    std::uint64_t bytes_back = 0;
     std::uint64_t bad = 0;   ///< packets and parts that the board dropped
     int pace = 1;            ///< a byte comes once in so many cycles at random
 
@@ -254,7 +257,8 @@ private:
         if (taken) to_board.pop_front();
         const bool accepts = pace == 1 || rng.below(pace) == 0;
         set(*tx_ready_, accepts);
-        if (accepts && get(*tx_valid_)) to_host_faults.pass(std::uint8_t(get(*tx_data_)), to_host, rng);
+        if (accepts && get(*tx_valid_) && ++bytes_back != lose_back)
+            to_host_faults.pass(std::uint8_t(get(*tx_data_)), to_host, rng);
     }
 
     const RcPort *rx_valid_, *rx_data_, *rx_ready_, *tx_valid_, *tx_data_, *tx_ready_;

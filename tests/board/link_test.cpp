@@ -2,6 +2,7 @@
 // wires that lose, double, damage and insert bytes.
 #include <algorithm>
 
+#include "tests/board/answers.hpp"
 #include "tests/board/link_board.hpp"
 #include "tests/support/machine/build_all.hpp"
 #include <catch2/catch.hpp>
@@ -232,6 +233,45 @@ TEST_CASE("after any garbage the board answers within one packet, or after a sil
         REQUIRE(answers[0].reason == LinkReason::done);
     }
     CHECK(board.writes.empty());
+}
+
+TEST_CASE("the first mark is found behind its own first byte", "[link]") {
+    ByteBoard board(8);
+    std::vector<std::uint8_t> bytes{link_mark[0], link_mark[0]};
+    const std::vector<std::uint8_t> hello = packet_bytes({LinkKind::hello, 3, 8});
+    bytes.insert(bytes.end(), hello.begin(), hello.end());
+    CHECK(answers_to(board, bytes).size() == 1);
+}
+
+TEST_CASE("answers to an earlier program are not taken for answers to this one", "[link]") {
+    ByteBoard board(9);
+    // The other program's hello had another number; the rest of its answers fit the new session.
+    for (const std::vector<std::uint8_t>& old :
+         {answer_bytes(0x81, 0, 76, 0), answer_bytes(0x83, 1, board_magic, 0), answer_bytes(0x83, 2, 99, 0)})
+        board.to_host.insert(board.to_host.end(), old.begin(), old.end());
+    Link link(board, ByteBoard::settings());
+    CHECK(link.hello().version == link_version);
+}
+
+TEST_CASE("a lost packet or answer is sent again without waiting for a timeout", "[link]") {
+    for (const bool of_answer : {false, true})
+        for (const int at : {600, 5000, 11'000}) {
+            INFO((of_answer ? "answer, byte " : "packet, byte ") << at);
+            Bench bench(51);
+            const std::vector<MemoryLine> lines = bench.twin.random_lines(320);
+            if (of_answer)
+                bench.board.lose_back = bench.board.bytes_back + std::uint64_t(at / 1038 * 14 + 5);
+            else
+                bench.board.lose = bench.board.bytes_sent + std::uint64_t(at);
+            const std::uint64_t begin = bench.board.cycle;
+            bench.link.write_lines(0, lines);
+            const std::uint64_t cycles = bench.board.cycle - begin;
+            // A byte a cycle, 160 cycles for each line at most, and a window once more.
+            CHECK(cycles < 320 * (64 + 160) + 8 * 16 * (64 + 160));
+            CHECK(bench.link.counts().repeated >= 1);
+            CHECK(bench.link.counts().repeated <= 8);
+            CHECK(std::ranges::equal(lines, std::span(bench.board.memory).first(lines.size())));
+        }
 }
 
 TEST_CASE("a session begins behind garbage, and behind the half packet of a program that was killed",

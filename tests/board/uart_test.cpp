@@ -278,6 +278,7 @@ TEST_CASE("the board's registers have their values and their effects", "[uart]")
     CHECK(link.read(BoardRegister::cycles) == 0x5678'9abc);
     const std::uint64_t later = 0xffff'0000'0000u;   // the upper word belongs to the lower one
     std::memcpy(board.rtl.port("cycles").data, &later, sizeof later);
+    CHECK(link.read(BoardRegister::underruns) == 7);
     CHECK(link.read(BoardRegister::cycles_high) == 0x1234);
     CHECK(link.read(BoardRegister::cycles) == 0);
     CHECK(link.read(BoardRegister::cycles_high) == 0xffff);
@@ -317,6 +318,36 @@ TEST_CASE("glitches of the line and clocks that differ lose nothing", "[uart][fa
         CHECK(link.counts().repeated > 0);
         CHECK(link.read(BoardRegister::faults) > 0);
     }
+}
+
+TEST_CASE("a host that sends too far ahead loses bytes, which are counted, and nothing else", "[uart]") {
+    UartBoard board(fast, 0, 3);
+    Link link(board, board.settings());
+    LinkTwin twin(board, link, 3);
+    link.hello();   // its last packet has the number 5
+    // An answer takes as long as 19 requests, and the FIFO holds 73.
+    for (int i = 0; i < 300; ++i) {
+        const std::vector<std::uint8_t> request =
+            packet_bytes({LinkKind::read_lines, std::uint8_t(6 + i), 0, 4});
+        board.sender.bytes.insert(board.sender.bytes.end(), request.begin(), request.end());
+    }
+    while (!board.sender.is_idle(board.cycle)) board.step();
+    for (int i = 0; i < 2'000'000; ++i) board.step();
+    AnswerDecoder decoder;
+    const std::vector<std::uint8_t> got(board.receiver.bytes.begin(), board.receiver.bytes.end());
+    decoder.push(got);
+    int in_order = 0;
+    while (const std::optional<LinkAnswer> answer = decoder.next()) {
+        if (answer->reason == LinkReason::gap) continue;
+        CHECK(answer->sequence == std::uint8_t(6 + in_order++));
+        CHECK(std::equal(answer->lines.begin(), answer->lines.end(), board.memory.begin()));
+    }
+    CHECK((in_order >= 73 && in_order < 300));
+    board.receiver.bytes.clear();
+    link.hello();
+    CHECK(link.read(BoardRegister::faults) >> 16 > 0);
+    for (int i = 0; i < 20; ++i) REQUIRE(twin.act(3));
+    CHECK(twin.agrees());
 }
 
 TEST_CASE("an upload takes the time of its bytes on the wire", "[uart]") {
