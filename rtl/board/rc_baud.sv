@@ -2,8 +2,8 @@
 //
 // Each cycle with run_i adds Step to the phase; tick_o is high in the cycle of an overflow. So
 // ticks are ClkKhz * 1000 / Baud cycles apart on average, and each is at most one cycle late.
-// load_i sets the phase: to 0, or to half a bit with half_i. The elaboration refuses rates for which
-// the rounding of Step changes the rate by more than 0.5 %.
+// load_i sets the phase: to 0, or to half a bit with half_i. The elaboration refuses rates that the
+// rounding of Step changes by more than 0.5 %.
 `default_nettype none
 module rc_baud #(
   parameter int unsigned ClkKhz = 75000,     // clock, in kHz

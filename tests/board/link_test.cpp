@@ -188,6 +188,8 @@ TEST_CASE("lines that are read again come from memory, without a write in betwee
         CHECK(answer.lines[1] == board.memory[7]);
     }
     CHECK(answer_to(board, {LinkKind::read_register, 2, 0}).reason == LinkReason::done);
+    CHECK(answer_to(board, read).lines.size() == 2);   // not the last packet any more
+    CHECK(answer_to(board, {LinkKind::read_register, 3, 0}).reason == LinkReason::done);
 }
 
 TEST_CASE("a damaged packet has no effect and no answer, wherever the damage is", "[link]") {
@@ -236,11 +238,13 @@ TEST_CASE("after any garbage the board answers within one packet, or after a sil
 }
 
 TEST_CASE("the first mark is found behind its own first byte", "[link]") {
-    ByteBoard board(8);
-    std::vector<std::uint8_t> bytes{link_mark[0], link_mark[0]};
-    const std::vector<std::uint8_t> hello = packet_bytes({LinkKind::hello, 3, 8});
-    bytes.insert(bytes.end(), hello.begin(), hello.end());
-    CHECK(answers_to(board, bytes).size() == 1);
+    for (const std::size_t before : {1u, 2u, 3u}) {
+        ByteBoard board(8);
+        std::vector<std::uint8_t> bytes(before, link_mark[0]);
+        const std::vector<std::uint8_t> hello = packet_bytes({LinkKind::hello, 3, 8});
+        bytes.insert(bytes.end(), hello.begin(), hello.end());
+        CHECK(answers_to(board, bytes).size() == 1);
+    }
 }
 
 TEST_CASE("answers to an earlier program are not taken for answers to this one", "[link]") {

@@ -237,6 +237,7 @@ TEST_CASE("every edge of the transmitter is within a cycle of its time", "[uart]
                 while (double(sender.cycle - start) < std::floor((bit + 1) * rate.bit() - 0.1)) {
                     const double in_bit = double(sender.cycle - start) - bit * rate.bit();
                     if (in_bit >= 1.1) REQUIRE(sender.get("tx") == (frame >> bit & 1));
+                    REQUIRE_FALSE(sender.get("ready"));   // until the stop bit is over
                     receiver.see(sender.cycle, sender.get("tx"));
                     sender.clock();
                 }
