@@ -25,7 +25,6 @@ void BoardMemory::start(std::uint32_t width, std::uint32_t height) {
     drawn_base_ = Screens::base(part_, 0);
     shown_ = {Screens::base(part_, 1), width, height, Screens::doubles(width, height)};
     while (!clients_.init_done() || !scan_.takes()) step(nullptr, nullptr, false);
-    clients_.align();
     for (int i = 0; i < start_cycles; ++i) step(nullptr, nullptr, false);
 }
 
@@ -52,6 +51,7 @@ void BoardMemory::step(const Line* request, const Place* pixel, bool flush) {
     const bool leaves = colour_.valid() && writer_.ready();
     PixelWriter::Inputs in{drawn_base_, shown_.width, flush, {}, ready.pixels, clients_.pixels_next()};
     if (colour_.valid()) in.pixel = colour_.place();
+    if (scan_.nears()) clients_.align();
     scan_.clock({shown_, ready.scan, clients_.scan_beat()});
     writer_.clock(in);
     colour_.clock(leaves, pixel);

@@ -24,7 +24,11 @@ void MemoryClients::clock(const ClientOffers& o) {
     answers_ = reads(of_chip) && sdram_.read_beat().last;
     if (reads(of_chip)) answer_id_ = sdram_.read_beat().tag & ((1u << id_bits_) - 1);
 
-    if (chip || pixels) pixels_turn_ = chip;
+    if (aligns_)
+        pixels_turn_ = false;
+    else if (chip || pixels)
+        pixels_turn_ = chip;
+    aligns_ = false;
     if (!o.host.valid || host)
         overtaken_ = 0;
     else

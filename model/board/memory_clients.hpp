@@ -42,6 +42,9 @@ public:
     };
     Ready ready(const ClientOffers& offers) const;
 
+    /// As Sdram::align(). It also gives the chip the next turn.
+    void align() { sdram_.align(), aligns_ = true; }
+
     bool init_done() const { return sdram_.init_done(); }
     /// The answer to the chip in this cycle; it is valid for one cycle.
     bool answers() const { return answers_; }
@@ -72,7 +75,7 @@ private:
 
     Sdram sdram_;
     int id_bits_;
-    bool pixels_turn_ = false;
+    bool pixels_turn_ = false, aligns_ = false;
     int overtaken_ = 0;
     bool answers_ = false;
     std::uint32_t answer_id_ = 0;

@@ -67,6 +67,10 @@ public:
 
     /// True if the picture is taken over at the end of this cycle.
     bool takes() const { return ticks() && h_ == 0 && v_ == ScreenTiming::shown_height; }
+    /// True 100 pixel clocks before takes(). If the memory is fast enough, no line is in flight then.
+    bool nears() const {
+        return ticks() && h_ == ScreenTiming::total_width - 100 && v_ == ScreenTiming::shown_height - 1;
+    }
     bool requests() const { return req_valid_; }
     std::uint32_t address() const { return address_; }   ///< a line's number; valid with requests()
     bool is_urgent() const { return req_valid_ && to_request_ >= to_fall_; }

@@ -167,6 +167,16 @@ void Sdram::take(const Request* request) {
     }
 }
 
+/// Row commands serve the current line until its first burst, and the next line from then on.
+void Sdram::count_lines() {
+    Held& served = bursts_ == 0 ? current_ : next_;
+    served.activated |= decision_.command == SdramCommand::activate;
+    served.precharged |= decision_.command == SdramCommand::precharge && !decision_.all;
+    if (!reads_or_writes() || bursts_ > 0) return;
+    row_hits_ += !current_.activated;
+    row_conflicts_ += current_.precharged;
+}
+
 void Sdram::clock(const Request* request) {
     pins_ = pins_of_decision();
     if (!runs_) {
@@ -176,10 +186,13 @@ void Sdram::clock(const Request* request) {
     move_beats();
     compare_row();
     change_banks();
+    count_lines();
     const bool refreshes = decision_.command == SdramCommand::refresh;
     refreshes_ += refreshes;
-    due_ = refi_ == 0 || (due_ && !refreshes);
-    refi_ = refi_ == 0 ? clocks_.refi - 1 : refi_ - 1;
+    refresh_left_ = refreshes ? clocks_.rfc : std::max(0, refresh_left_ - 1);
+    due_ = aligns_ || refi_ == 0 || (due_ && !refreshes);
+    refi_ = aligns_ || refi_ == 0 ? clocks_.refi - 1 : refi_ - 1;
+    aligns_ = false;
     take(request);
     decision_ = decide();
 }

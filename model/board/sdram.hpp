@@ -57,6 +57,14 @@ public:
     /// One clock edge, with the request accepted in this cycle, or null. Accept only if ready().
     void clock(const Request* request);
 
+    /// Makes a refresh due in this cycle, and counts the interval to the next one from here. Call it before
+    /// clock().
+    void align() { aligns_ = true; }
+
+    bool holds() const { return current_valid_; }   ///< a request that is not finished
+    /// True while a refresh is due or in progress.
+    bool refreshing() const { return due_ || refresh_left_ > 0; }
+
     /// True if no request is held, no beat is in flight, and no refresh is due or in progress.
     bool is_quiet() const;
     /// Returns the number of cycles, from 0, in which a quiet controller stays so without a request.
@@ -65,11 +73,15 @@ public:
     void skip(std::uint64_t cycles);
 
     std::uint64_t refreshes() const { return refreshes_; }   ///< since the initialisation
+    /// Lines that found their row open, and lines that found another row open, of those that have begun.
+    std::uint64_t row_hits() const { return row_hits_; }
+    std::uint64_t row_conflicts() const { return row_conflicts_; }
 
 private:
     struct Held {   // a request, decoded
         bool is_write = false;
         std::uint32_t row = 0, bank = 0, column = 0, tag = 0;
+        bool activated = false, precharged = false;   // for it
     };
     struct Bank {
         bool open = false;
@@ -94,6 +106,7 @@ private:
     void initialise();
     void move_beats();
     void change_banks();
+    void count_lines();
     void take(const Request* request);
     SdramPins pins_of_decision() const;
 
@@ -106,14 +119,15 @@ private:
     bool known_ = false, equal_ = false;   // the selected request's row was compared; it is the bank's last
     std::array<Bank, 4> banks_{};
     int turn_ = 0, refi_;
-    bool due_ = false;
+    bool due_ = false, aligns_ = false;
     int beats_ = 0;   // beats of the burst after this cycle's
     bool beats_write_ = false, beats_last_ = false;
     std::uint32_t beats_tag_ = 0;
     std::vector<Beat> reads_;   // from the decision to the data
     Decision decision_;         // of this cycle
     SdramPins pins_;
-    std::uint64_t refreshes_ = 0;
+    int refresh_left_ = 0;      // clocks of the refresh in progress
+    std::uint64_t refreshes_ = 0, row_hits_ = 0, row_conflicts_ = 0;
 };
 
 }   // namespace rayclock

@@ -84,7 +84,7 @@ module rc_board #(
     .double_o(shows_twice));
 
   // ---- Frame control: between the host link and the chip's bus.
-  logic                           takes, align, flush, running, done;
+  logic                           takes, nears, flush, running, done;
   logic                           chip_cyc, chip_stb, chip_we, chip_ack, chip_err;
   logic [rc_pkg::RegAddrBits-1:0] chip_adr;
   logic [31:0]                    chip_wr_dat;
@@ -95,7 +95,7 @@ module rc_board #(
 
   rc_frame_control u_frame (
     .clk_i, .rst_ni(chip_rst_n_q), .arm_i(arm), .armed_o(armed), .flushed_o(flushed),
-    .cycles_o(frame_cycles), .takes_i(takes), .align_o(align),
+    .cycles_o(frame_cycles), .takes_i(takes),
     .wb_cyc_i(link_cyc), .wb_stb_i(link_stb), .wb_we_i(link_we), .wb_adr_i(link_adr),
     .wb_dat_i(link_dat), .wb_ack_o(link_ack), .wb_err_o(link_err),
     .wb_cyc_o(chip_cyc), .wb_stb_o(chip_stb), .wb_we_o(chip_we), .wb_adr_o(chip_adr),
@@ -134,7 +134,7 @@ module rc_board #(
     .colour_o(pixel_colour), .empty_o(colour_empty));
 
   rc_pixel_writer #(.LineW(LineW), .SideW(SideW)) u_writer (
-    .clk_i, .rst_ni(rst_ni), .base_i(drawn_base), .width_i(shown_width[SideW:0]), .flush_i(flush),
+    .clk_i, .rst_ni(rst_ni), .base_i(drawn_base), .width_i(shown_width[SideW:0]), .flush_i(flush || !chip_rst_n_q),
     .empty_o(writer_empty),
     .pixel_valid_i(pixel_valid), .pixel_ready_o(pixel_ready), .pixel_x_i(pixel_x[SideW-1:0]),
     .pixel_y_i(pixel_y[SideW-1:0]), .pixel_colour_i(pixel_colour),
@@ -150,7 +150,7 @@ module rc_board #(
 
   rc_scan_out #(.ChipKhz(ClkKhz), .PixelKhz(PixelKhz), .LineW(LineW)) u_scan (
     .clk_i, .rst_ni, .base_i(shown_base), .width_i(shown_width), .height_i(shown_height),
-    .double_i(shows_twice), .takes_o(takes), .underruns_o(underruns),
+    .double_i(shows_twice), .takes_o(takes), .nears_o(nears), .underruns_o(underruns),
     .req_valid_o(scan_req_valid), .req_ready_i(scan_req_ready), .req_addr_o(scan_req_addr),
     .urgent_o(scan_urgent), .rd_valid_i(scan_rd_valid), .rd_data_i(scan_rd_data),
     .pixel_valid_o(shown_valid), .pixel_colour_o(shown_colour), .pixel_de_o(shown_de),
@@ -167,7 +167,7 @@ module rc_board #(
     .ClkKhz(ClkKhz), .RowBits(RowBits), .ColumnBits(ColumnBits), .InitUs(InitUs),
     .ReadDelay(ReadDelay)
   ) u_memory (
-    .clk_i, .rst_ni, .init_done_o(init_done), .align_i(align),
+    .clk_i, .rst_ni, .init_done_o(init_done), .align_i(nears),
     .mem_req_valid_i(mem_req_valid), .mem_req_ready_o(mem_req_ready), .mem_req_i(mem_req),
     .mem_rsp_fires_o(mem_rsp_fires), .mem_rsp_o(mem_rsp),
     .scan_req_valid_i(scan_req_valid), .scan_req_ready_o(scan_req_ready),

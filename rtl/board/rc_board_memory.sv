@@ -36,6 +36,7 @@ module rc_board_memory #(
   input  logic             clk_i,
   input  logic             rst_ni,
   output logic             init_done_o,
+  input  logic             align_i,   // begins a refresh, and gives the chip the next turn
   // Chip
   input  logic             mem_req_valid_i,
   output logic             mem_req_ready_o,
@@ -131,7 +132,8 @@ module rc_board_memory #(
       pix_turn_q  <= 1'b0;
       overtaken_q <= '0;
     end else begin
-      if (chip_fires || pix_fires) pix_turn_q <= chip_fires;
+      if (align_i)                      pix_turn_q <= 1'b0;
+      else if (chip_fires || pix_fires) pix_turn_q <= chip_fires;
       if (!host_req_valid_i || host_fires) overtaken_q <= '0;
       else if (free && any_fires)          overtaken_q <= overtaken_q + 4'd1;
     end
@@ -149,7 +151,7 @@ module rc_board_memory #(
     .RfcPs(RfcPs), .RefiPs(RefiPs), .MrdClocks(MrdClocks), .InitUs(InitUs),
     .InitRefreshes(InitRefreshes), .ReadDelay(ReadDelay), .TagW(TagW)
   ) u_sdram (
-    .clk_i, .rst_ni, .init_done_o,
+    .clk_i, .rst_ni, .init_done_o, .align_i,
     .req_valid_i(any_fires), .req_ready_o(free), .req_write_i(req_write), .req_addr_i(req_addr),
     .req_tag_i({req_client, chip_id}),
     .wr_next_o(wr_next), .wr_tag_o(wr_tag), .wr_data_i(wr_data), .wr_mask_i(wr_mask),

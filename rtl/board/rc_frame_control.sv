@@ -1,9 +1,9 @@
 // Starts the chip's frames for the host, and measures them.
 //
-// After arm_i the module waits for the beginning of the screen's vertical blank (takes_i). In that
-// cycle align_o is high: the memory begins a refresh. In the next one the module writes 1 to the chip's
-// register `start`. So every frame begins with memory and beam in the same state, and takes the number
-// of cycles that the model says. The host must not access the chip's bus while armed_o is high.
+// After arm_i the module waits for the beginning of the screen's vertical blank (takes_i), and then
+// writes 1 to the chip's register `start`. A little earlier the memory has begun a refresh, which closes
+// all rows. So every frame begins with memory and beam in the same state, and takes the number of cycles
+// that the model says. The host must not access the chip's bus while armed_o is high.
 //
 // When the chip is done and its last pixel has left the conversion, flush_o lets the pixel writer write
 // what it holds. flushed_o is high when it has done so, until the next frame is armed. cycles_o counts
@@ -18,9 +18,8 @@ module rc_frame_control (
   output logic                           armed_o,
   output logic                           flushed_o,
   output logic [47:0]                    cycles_o,
-  // From the scan-out, to the memory
+  // From the scan-out
   input  logic                           takes_i,
-  output logic                           align_o,
   // Bus of the host link
   input  logic                           wb_cyc_i,
   input  logic                           wb_stb_i,
@@ -47,9 +46,9 @@ module rc_frame_control (
 );
   logic        armed_q, starts_q, ends_q, flushed_q;
   logic [47:0] cycles_q;
-  logic        answered, is_written;
+  logic        begins, answered, is_written;
 
-  assign align_o    = armed_q && takes_i;
+  assign begins     = armed_q && takes_i;
   assign answered   = starts_q && (wb_ack_i || wb_err_i);
   assign flush_o    = ends_q && done_i && colour_empty_i;
   assign is_written = ends_q && done_i && pixels_empty_i;
@@ -65,9 +64,9 @@ module rc_frame_control (
       cycles_q  <= '0;
     end else begin
       if (arm_i)        armed_q <= 1'b1;
-      else if (align_o) armed_q <= 1'b0;
+      else if (begins)  armed_q <= 1'b0;
 
-      if (align_o)       starts_q <= 1'b1;
+      if (begins)        starts_q <= 1'b1;
       else if (answered) starts_q <= 1'b0;
 
       if (running_i)       ends_q <= 1'b1;
@@ -89,7 +88,7 @@ module rc_frame_control (
   assign wb_cyc_o = starts_q || wb_cyc_i;
   assign wb_stb_o = starts_q || wb_stb_i;
   assign wb_we_o  = starts_q || wb_we_i;
-  assign wb_adr_o = starts_q ? rc_pkg::RegStart : wb_adr_i;
+  assign wb_adr_o = starts_q ? rc_pkg::RegAddrBits'(rc_pkg::RegStart) : wb_adr_i;
   assign wb_dat_o = starts_q ? 32'd1 : wb_dat_i;
   assign wb_ack_o = wb_ack_i && !starts_q;
   assign wb_err_o = wb_err_i && !starts_q;

@@ -38,6 +38,7 @@ module rc_scan_out #(
   input  logic [15:0]      height_i,
   input  logic             double_i,
   output logic             takes_o,         // the picture is taken over at the end of this cycle
+  output logic             nears_o,         // 100 pixel clocks before: no line is in flight
   output logic [15:0]      underruns_o,
   // To and from the memory: lines in the order of requests, 32 beats each
   output logic             req_valid_o,
@@ -78,6 +79,7 @@ module rc_scan_out #(
   assign line_ends   = h_q == 10'(TotalW - 1);
   assign takes       = tick_q && h_q == '0 && v_q == 10'(ShownH);
   assign takes_o     = takes;
+  assign nears_o     = tick_q && h_q == 10'(TotalW - 100) && v_q == 10'(ShownH - 1);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin

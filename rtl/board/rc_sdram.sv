@@ -42,6 +42,7 @@ module rc_sdram #(
   input  logic             clk_i,
   input  logic             rst_ni,
   output logic             init_done_o,
+  input  logic             align_i,       // a refresh is due, and the next one an interval later
   // Requests
   input  logic             req_valid_i,
   output logic             req_ready_o,
@@ -205,8 +206,8 @@ module rc_sdram #(
       refi_q <= RefiW'(Refi - 1);
       due_q  <= 1'b0;
     end else begin
-      refi_q <= refi_q == '0 ? RefiW'(Refi - 1) : refi_q - 1'b1;
-      due_q  <= refi_q == '0 || (due_q && !refreshes);
+      refi_q <= align_i || refi_q == '0 ? RefiW'(Refi - 1) : refi_q - 1'b1;
+      due_q  <= align_i || refi_q == '0 || (due_q && !refreshes);
     end
   end
 

@@ -33,3 +33,6 @@ fuzz_mutant(options_clock_of_any_rate FILE sim/app/options/values.cpp TARGET opt
 fuzz_mutant(rays_one_beyond FILE sim/load/rays/rays.cpp TARGET rays RUNS 100000
   OLD [[        shape = {head.shape[0], ]]
   NEW [[        shape = {head.shape[0] + 1, ]])
+fuzz_mutant(link_answer_of_any_length FILE sim/board/protocol.cpp TARGET link RUNS 100000
+  OLD [[(has_lines && (answer.count < 1 || answer.count > link_lines_most))]]
+  NEW [[(has_lines && answer.count < 1)]])

@@ -284,7 +284,7 @@ unsigned ports(void* handle, const RcPort** list) {{
 }}
 extern "C" const RcModule rc_module{{open, close, eval, reset, ports}};
 )",
-        module, ports, has_reset(module) ? "&of(handle).top.rst_ni" : "&of(handle).no_reset",
+        module, ports, has_reset(module_name(module)) ? "&of(handle).top.rst_ni" : "&of(handle).no_reset",
         has_clock(module) ? "of(handle).top.clk_i = static_cast<unsigned char>(clock)" : "(void)clock");
 }
 

@@ -177,7 +177,7 @@ std::string build_inputs(const Config& config, const std::string& module, Waves 
         for (const Arguments& some : flags)
             for (const std::string& flag : some) all += " " + flag;
     };
-    add({verilator_flags, compiler_flags(), start_flags});
+    add({top_module(module), verilator_flags, compiler_flags(), start_flags});
     if (form == Form::rtl) {
         all += source_inputs();
     } else {

@@ -21,25 +21,11 @@ struct Target {
     const char* name;
     void (*run)(std::string_view bytes);
 };
-constexpr std::array<Target, 19> targets{{{"obj", obj},
-                                          {"mtl", mtl},
-                                          {"ply", ply},
-                                          {"stl", stl},
-                                          {"off", off},
-                                          {"3ds", tds},
-                                          {"dae", dae},
-                                          {"gz", gz},
-                                          {"gltf", gltf},
-                                          {"scene", scene},
-                                          {"config", config},
-                                          {"state", state},
-                                          {"cache", cache},
-                                          {"merge", merge},
-                                          {"compare", compare},
-                                          {"yosys", yosys},
-                                          {"nextpnr", nextpnr},
-                                          {"rays", rays},
-                                          {"options", options}}};
+constexpr std::array<Target, 20> targets{
+    {{"obj", obj},       {"mtl", mtl},         {"ply", ply},     {"stl", stl},         {"off", off},
+     {"3ds", tds},       {"dae", dae},         {"gz", gz},       {"gltf", gltf},       {"scene", scene},
+     {"config", config}, {"state", state},     {"cache", cache}, {"merge", merge},     {"compare", compare},
+     {"yosys", yosys},   {"nextpnr", nextpnr}, {"rays", rays},   {"options", options}, {"link", board_link}}};
 
 void (*chosen)(std::string_view) = nullptr;
 std::size_t large = 0;

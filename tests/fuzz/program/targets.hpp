@@ -31,6 +31,7 @@ void yosys(std::string_view bytes);
 void nextpnr(std::string_view bytes);
 void rays(std::string_view bytes);
 void options(std::string_view bytes);
+void board_link(std::string_view bytes);
 
 /// Returns the path of a fuzzed file, in a folder with the files to which it may refer.
 std::filesystem::path file(const std::string& name);
