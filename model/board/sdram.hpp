@@ -126,7 +126,7 @@ private:
     std::vector<Beat> reads_;   // from the decision to the data
     Decision decision_;         // of this cycle
     SdramPins pins_;
-    int refresh_left_ = 0;      // clocks of the refresh in progress
+    int refresh_left_ = 0;   // clocks of the refresh in progress
     std::uint64_t refreshes_ = 0, row_hits_ = 0, row_conflicts_ = 0;
 };
 

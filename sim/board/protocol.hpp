@@ -59,8 +59,8 @@ enum class BoardRegister : std::uint32_t {
     base,    ///< line of the first block of the picture that is shown
     width,   ///< pixels
     height,
-    doubled,   ///< 1: each pixel is shown as 2x2
-    faults,    ///< packets dropped (16 bits) and bytes dropped (upper 16 bits) since the reset
+    doubled,     ///< 1: each pixel is shown as 2x2
+    faults,      ///< packets dropped (16 bits) and bytes dropped (upper 16 bits) since the reset
     draw_base,   ///< line of the first block of the picture that is drawn
 };
 

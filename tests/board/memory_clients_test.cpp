@@ -30,6 +30,7 @@ public:
           rtl_(config, memory_module(part, khz), int(seed)),
           pins_(rtl_) {
         set_offers();
+        align_ = 0;
         rtl_.reset();
     }
 
@@ -37,6 +38,9 @@ public:
     void step(const Load& load) {
         choose(load);
         set_offers();
+        const bool aligns = align_every > 0 && model.init_done() && draw.below(align_every) == 0;
+        align_ = aligns;
+        if (aligns) model.align();
         rtl_.settle();
         const MemoryClients::Ready ready = model.ready(offers);
         const RcPort& request = rtl_.port("mem_req");
@@ -69,6 +73,7 @@ public:
         REQUIRE(!host_write_);
     }
 
+    int align_every = 0;   ///< cycles between two alignments, at random; 0: none
     SdramPart part;
     Config config;
     MemoryClients model;
@@ -226,7 +231,7 @@ private:
 
     RtlModule rtl_;
     SdramPorts pins_;
-    Signal init_done_{rtl_, "init_done"}, scan_valid_{rtl_, "scan_req_valid"},
+    Signal align_{rtl_, "align"}, init_done_{rtl_, "init_done"}, scan_valid_{rtl_, "scan_req_valid"},
         scan_addr_{rtl_, "scan_req_addr"}, scan_urgent_{rtl_, "scan_urgent"},
         pix_valid_{rtl_, "pix_req_valid"}, pix_addr_{rtl_, "pix_req_addr"}, pix_data_{rtl_, "pix_data"},
         pix_mask_{rtl_, "pix_mask"}, host_valid_{rtl_, "host_req_valid"},
@@ -265,6 +270,7 @@ TEST_CASE("model and rtl of the board's memory agree in every cycle, and each cl
     const unsigned seed = GENERATE(1u, 2u);
     CAPTURE(part.name, seed);
     MemoryRig rig(part, 75'000, seed);
+    rig.align_every = 3000;
     while (!rig.model.init_done()) rig.step({10, 10, 10, 10, 50});
     for (int phase = 0; phase < 120; ++phase) {
         const auto some = [&] { return rig.draw.coin() ? rig.draw.below(101) : rig.draw.below(4); };

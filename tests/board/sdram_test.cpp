@@ -75,6 +75,7 @@ TEST_CASE("model and rtl of the SDRAM controller agree in every cycle, and the d
     const unsigned seed = GENERATE(1u, 2u);
     CAPTURE(khz, part.name, seed);
     SdramRig rig(part, khz, seed);
+    rig.align_every = 2000;
     rig.initialise();
     random_traffic(rig, 10'000);
     REQUIRE(rig.chip.violations().empty());

@@ -140,9 +140,10 @@ public:
           pins_(rtl_),
           khz_(khz),
           read_delay_(read_delay) {
-        req_valid_ = 0;
+        req_valid_ = 0, align_ = 0;
         rtl_.reset();
     }
+    int align_every = 0;   ///< cycles between two alignments, at random; 0: none
 
     /// One cycle with a request on offer, or none. Returns true if it was accepted.
     bool step(const Sdram::Request* request, const WriteLine* data = nullptr) {
@@ -155,6 +156,9 @@ public:
             req_addr_ = draw.bits(20);
             req_write_ = draw.bits(1);
         }
+        const bool aligns = align_every > 0 && model.init_done() && draw.below(align_every) == 0;
+        align_ = aligns;
+        if (aligns) model.align();
         rtl_.settle();
         same(cycle, "init_done", init_done_, model.init_done());
         same(cycle, "req_ready", req_ready_, model.ready());
@@ -274,11 +278,11 @@ private:
     SdramPorts pins_;
     int khz_, read_delay_;
     std::size_t judged_ = 0;
-    Signal req_valid_{rtl_, "req_valid"}, req_write_{rtl_, "req_write"}, req_addr_{rtl_, "req_addr"},
-        req_tag_{rtl_, "req_tag"}, wr_data_{rtl_, "wr_data"}, wr_mask_{rtl_, "wr_mask"},
-        init_done_{rtl_, "init_done"}, req_ready_{rtl_, "req_ready"}, wr_next_{rtl_, "wr_next"},
-        wr_tag_{rtl_, "wr_tag"}, rd_valid_{rtl_, "rd_valid"}, rd_last_{rtl_, "rd_last"},
-        rd_tag_{rtl_, "rd_tag"}, rd_data_{rtl_, "rd_data"};
+    Signal align_{rtl_, "align"}, req_valid_{rtl_, "req_valid"}, req_write_{rtl_, "req_write"},
+        req_addr_{rtl_, "req_addr"}, req_tag_{rtl_, "req_tag"}, wr_data_{rtl_, "wr_data"},
+        wr_mask_{rtl_, "wr_mask"}, init_done_{rtl_, "init_done"}, req_ready_{rtl_, "req_ready"},
+        wr_next_{rtl_, "wr_next"}, wr_tag_{rtl_, "wr_tag"}, rd_valid_{rtl_, "rd_valid"},
+        rd_last_{rtl_, "rd_last"}, rd_tag_{rtl_, "rd_tag"}, rd_data_{rtl_, "rd_data"};
     std::deque<Read> reads_;
     std::deque<Write> writes_;
 };

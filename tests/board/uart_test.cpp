@@ -17,9 +17,7 @@ struct Rate {
     int khz, baud;
     double bit() const { return khz * 1000.0 / baud; }   ///< cycles
     int quiet() const { return 200'000'000 / baud; }     ///< microseconds: twenty bytes
-    std::string text() const {
-        return " ClkKhz=" + std::to_string(khz) + " Baud=" + std::to_string(baud);
-    }
+    std::string text() const { return " ClkKhz=" + std::to_string(khz) + " Baud=" + std::to_string(baud); }
 };
 /// The board's clocks and rates, and a fast one for tests of packets.
 const Rate rates[] = {{75'000, 3'000'000}, {62'500, 3'000'000}, {50'000, 115'200}};
@@ -29,8 +27,7 @@ const Rate fast{75'000, 15'000'000};
 class UartBoard : public LinkBoard, public Channel {
 public:
     static std::string parameters(const Rate& rate) {
-        return rate.text() + " QuietUs=" + std::to_string(rate.quiet()) +
-               " ConfigHash=64'hfedcba9876543210";
+        return rate.text() + " QuietUs=" + std::to_string(rate.quiet()) + " ConfigHash=64'hfedcba9876543210";
     }
 
     /// The host's clock is faster by this fraction.

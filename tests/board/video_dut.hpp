@@ -142,7 +142,8 @@ public:
 private:
     void check() const {
         const bool same = bool(req_valid_) == model.requests() && bool(urgent_) == model.is_urgent() &&
-                          bool(takes_) == model.takes() && underruns_ == model.underruns() &&
+                          bool(takes_) == model.takes() && bool(nears_) == model.nears() &&
+                          underruns_ == model.underruns() &&
                           (!model.requests() || req_addr_ == model.address());
         if (same) return;
         FAIL("cycle " << cycle_ << ": the RTL has request " << req_valid_ << " of line " << req_addr_
@@ -155,10 +156,10 @@ private:
     std::uint64_t cycle_ = 0;
     Signal req_ready_{rtl_, "req_ready"}, rd_valid_{rtl_, "rd_valid"}, rd_data_{rtl_, "rd_data"},
         base_{rtl_, "base"}, width_{rtl_, "width"}, height_{rtl_, "height"}, double_{rtl_, "double"};
-    Signal takes_{rtl_, "takes"}, underruns_{rtl_, "underruns"}, req_valid_{rtl_, "req_valid"},
-        req_addr_{rtl_, "req_addr"}, urgent_{rtl_, "urgent"}, pixel_valid_{rtl_, "pixel_valid"},
-        pixel_colour_{rtl_, "pixel_colour"}, pixel_de_{rtl_, "pixel_de"}, pixel_hsync_{rtl_, "pixel_hsync"},
-        pixel_vsync_{rtl_, "pixel_vsync"};
+    Signal takes_{rtl_, "takes"}, nears_{rtl_, "nears"}, underruns_{rtl_, "underruns"},
+        req_valid_{rtl_, "req_valid"}, req_addr_{rtl_, "req_addr"}, urgent_{rtl_, "urgent"},
+        pixel_valid_{rtl_, "pixel_valid"}, pixel_colour_{rtl_, "pixel_colour"}, pixel_de_{rtl_, "pixel_de"},
+        pixel_hsync_{rtl_, "pixel_hsync"}, pixel_vsync_{rtl_, "pixel_vsync"};
 };
 
 /// rc_video with its three clocks. Pixels come at the chip's clock; the receiver gets the pairs of the shift

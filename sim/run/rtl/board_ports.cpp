@@ -39,13 +39,13 @@ std::vector<PortSpec> board_ports(const std::string& module) {
     if (module == "rc_sdram")
         p.sdram_pins()
             .inputs({"align", "req_valid", "req_write", "req_addr", "req_tag", "wr_data", "wr_mask"})
-            .outputs({"init_done", "req_ready", "wr_next", "wr_tag", "rd_valid", "rd_last", "rd_tag",
-                      "rd_data"});
+            .outputs(
+                {"init_done", "req_ready", "wr_next", "wr_tag", "rd_valid", "rd_last", "rd_tag", "rd_data"});
     if (module == "rc_board_memory")
         p.sdram_pins()
-            .inputs({"align", "scan_req_valid", "scan_req_addr", "scan_urgent", "pix_req_valid", "pix_req_addr",
-                     "pix_data", "pix_mask", "host_req_valid", "host_req_write", "host_req_addr",
-                     "host_wr_data"})
+            .inputs({"align", "scan_req_valid", "scan_req_addr", "scan_urgent", "pix_req_valid",
+                     "pix_req_addr", "pix_data", "pix_mask", "host_req_valid", "host_req_write",
+                     "host_req_addr", "host_wr_data"})
             .outputs({"init_done", "scan_req_ready", "scan_rd_valid", "scan_rd_data", "pix_req_ready",
                       "pix_next", "host_req_ready", "host_next", "host_rd_valid", "host_rd_data"})
             .add(PortKind::in, {"mem_req"})
@@ -59,8 +59,8 @@ std::vector<PortSpec> board_ports(const std::string& module) {
             .outputs({"empty", "pixel_ready", "req_valid", "req_addr", "data", "mask"});
     if (module == "rc_scan_out")
         p.inputs({"base", "width", "height", "double", "req_ready", "rd_valid", "rd_data"})
-            .outputs({"takes", "nears", "underruns", "req_valid", "req_addr", "urgent", "pixel_valid", "pixel_colour",
-                      "pixel_de", "pixel_hsync", "pixel_vsync"});
+            .outputs({"takes", "nears", "underruns", "req_valid", "req_addr", "urgent", "pixel_valid",
+                      "pixel_colour", "pixel_de", "pixel_hsync", "pixel_vsync"});
     if (module == "rc_tmds") p.inputs({"de", "data", "control"}).outputs({"symbol"});
     if (module == "rc_video_fifo")
         p.inputs({"pixel_clk"})
