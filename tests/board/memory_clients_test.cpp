@@ -304,3 +304,37 @@ TEST_CASE("under full load chip and pixels take turns, and the host is served af
         REQUIRE(rig.pixels > 250);
     }
 }
+
+TEST_CASE("skipped quiet cycles of the board's memory change nothing", "[memory][skip]") {
+    const SdramClocks clocks = sdram_clocks(sdram_part("is42s16160g"), 100'000);
+    MemoryClients stepped(clocks, 4), skipped(clocks, 4);
+    Draw draw(9);
+    const auto both = [&](const ClientOffers& offers) {
+        REQUIRE(stepped.ready(offers) == skipped.ready(offers));
+        REQUIRE(stepped.answers() == skipped.answers());
+        REQUIRE(stepped.pixels_next() == skipped.pixels_next());
+        REQUIRE(stepped.scan_beat() == skipped.scan_beat());
+        REQUIRE(stepped.sdram().pins().command == skipped.sdram().pins().command);
+        stepped.clock(offers);
+        skipped.clock(offers);
+    };
+    while (!stepped.init_done()) both({});
+    std::uint64_t skips = 0;
+    for (int i = 0; i < 3000; ++i) {
+        ClientOffers offers;
+        offers.chip = {draw.percent(40), std::uint32_t(draw.bits(4)), std::uint32_t(draw.bits(19))};
+        offers.scan = {draw.percent(20), std::uint32_t(draw.bits(19)), draw.coin()};
+        offers.pixels = {draw.percent(20), std::uint32_t(draw.bits(19))};
+        offers.host = {draw.percent(40), draw.coin(), std::uint32_t(draw.bits(19))};
+        both(offers);
+        for (int k = draw.coin() ? draw.below(120) : 0; k > 0; --k) both({});
+        const std::uint64_t some = std::min(skipped.quiet_cycles(), draw.bits(draw.coin() ? 2 : 10));
+        skips += some;
+        skipped.skip(some);
+        for (std::uint64_t k = 0; k < some; ++k) {
+            REQUIRE_FALSE(stepped.answers());
+            stepped.clock({});
+        }
+    }
+    REQUIRE(skips > 10'000);
+}
