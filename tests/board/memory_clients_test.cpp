@@ -1,5 +1,5 @@
 // rc_board_memory and its model in every cycle, with a behavioural SDRAM: each client gets its own data, in
-// order, and no client waits for ever.
+// order, and the host is served under full load.
 #include "tests/board/sdram_world.hpp"
 #include "model/board/memory_clients.hpp"
 #include "tests/support/machine/build_all.hpp"
