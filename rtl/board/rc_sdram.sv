@@ -223,8 +223,8 @@ module rc_sdram #(
   assign sel_bank  = first ? cur_bank_q : nxt_bank_q;
 
   // ---- Banks. wait_q: clocks until a closed bank may be activated, or until an open one may be
-  // read or written. pre_q: clocks until an open bank may be precharged. Flags tell when these
-  // counters are 0.
+  // read or written. pre_q: clocks until an open bank may be precharged. A flag marks each
+  // counter that is 0.
   logic [3:0]         open_q, wait_ends_q, pre_ends_q, activates, precharges, columns;
   logic [RowBits-1:0] row_q [4];
   logic [RowBits-1:0] open_row;

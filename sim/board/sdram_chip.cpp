@@ -112,7 +112,7 @@ void SdramChip::column(const SdramChipPins& pins, bool write) {
         std::string(write ? "a write" : "a read") + " of bank " + std::to_string(pins.ba);
     if (!bank.open) fail(SdramFault::bank_closed, what + " meets a closed bank");
     if (pins.a & a10)
-        fail(SdramFault::unsupported, what + " asks for auto precharge, which this model lacks");
+        fail(SdramFault::unsupported, what + " requests auto precharge, which this model does not support");
     const std::uint32_t column = (pins.a & 0x3ff) | (pins.a >> 1 & ~0x3ffu);   // without A10
     if (column >> part_.column_bits)
         fail(SdramFault::column, what + " names column " + std::to_string(column) + ", which does not exist");

@@ -68,7 +68,7 @@ public:
     };
     const std::vector<Violation>& violations() const { return violations_; }
 
-    /// The word at a column, whatever the state of the bank. Words that were never written are arbitrary, but
+    /// The word at a column, in any state of the bank. Words that were never written are arbitrary, but
     /// the same in every run.
     std::uint16_t peek(std::uint32_t bank, std::uint32_t row, std::uint32_t column);
     /// Reads of bytes that were never written.

@@ -1,5 +1,5 @@
 // rc_board_memory and its model in every cycle, with a behavioural SDRAM: each client gets its own data, in
-// order, and no client waits for ever.
+// order, and the host is served under full load.
 #include "tests/board/sdram_world.hpp"
 #include "model/board/memory_clients.hpp"
 #include "tests/support/machine/build_all.hpp"
@@ -83,6 +83,7 @@ public:
     ClientOffers offers;
     std::uint64_t cycle = 0;
     std::uint64_t chips = 0, scans = 0, pixels = 0, hosts = 0;   ///< accepted
+    std::uint64_t longest_scan = 0;     ///< cycles from an offer of scan to its last beat
     std::uint64_t most_overtaken = 0;   ///< requests accepted while one of the host waits
     std::vector<char> order;            ///< of accepted requests: c, s, p, h
 
@@ -94,6 +95,7 @@ private:
     struct BeatReads {
         LineBeats beats;
         std::size_t at = 0;
+        std::uint64_t offered = 0;
     };
     struct Write {
         WriteLine line;
@@ -105,7 +107,10 @@ private:
         if (!offers.chip.valid) {
             offers.chip = {draw.percent(load.chip), std::uint32_t(draw.bits(config.mem_id_bits())), last_};
         }
-        if (!offers.scan.valid) offers.scan = {draw.percent(load.scan), last_, false};
+        if (!offers.scan.valid) {
+            offers.scan = {draw.percent(load.scan), last_, false};
+            scan_offered_ = cycle;
+        }
         offers.scan.urgent = draw.percent(load.urgent);
         if (!offers.pixels.valid && !pixel_write_) {
             offers.pixels = {draw.percent(load.pixels), last_};
@@ -161,7 +166,7 @@ private:
             ++chips;
             order.push_back('c');
         } else if (offers.scan.valid && r.scan) {
-            scan_reads_.push_back({expected.line(offers.scan.addr)});
+            scan_reads_.push_back({expected.line(offers.scan.addr), 0, scan_offered_});
             offers.scan.valid = false;
             ++scans;
             order.push_back('s');
@@ -208,7 +213,9 @@ private:
         if (reads.empty()) FAIL(what << ": a beat comes without a read");
         BeatReads& read = reads.front();
         same(cycle, what, data, read.beats[read.at]);
-        if (++read.at == 32) reads.pop_front();
+        if (++read.at < 32) return;
+        if (&reads == &scan_reads_) longest_scan = std::max(longest_scan, cycle - read.offered);
+        reads.pop_front();
     }
     void check_answers() {
         same(cycle, "scan_rd_valid", scan_rd_valid_, model.scan_beat());
@@ -242,6 +249,7 @@ private:
         host_next_{rtl_, "host_next"}, host_rd_valid_{rtl_, "host_rd_valid"},
         host_rd_data_{rtl_, "host_rd_data"};
     std::uint32_t last_ = 0;
+    std::uint64_t scan_offered_ = 0;
     std::uint64_t overtaken_ = 0;
     WriteLine next_pixels_, next_host_;
     std::deque<ChipRead> chip_reads_;
@@ -309,4 +317,61 @@ TEST_CASE("under full load chip and pixels take turns, and the host is served af
         REQUIRE(rig.chips > 250);
         REQUIRE(rig.pixels > 250);
     }
+}
+
+TEST_CASE("an urgent scan waits for three lines and a refresh at most", "[memory][fair]") {
+    const SdramPart& part = sdram_part("as4c32m16sb");
+    const SdramClocks c = sdram_clocks(part, 75'000);
+    MemoryRig rig(part, 75'000, 4);
+    while (!rig.model.init_done()) rig.step({});
+    for (int i = 0; i < 400'000; ++i) rig.step({100, 3, 100, 100, 100});
+    // The current line, the next one, one of the host that is due, and its own: each may be in another row of
+    // the same bank, and turn the bus.
+    const std::uint64_t line = std::uint64_t(32 + c.rp + c.rcd + c.wr + c.cl + 9),
+                        refresh = std::uint64_t(c.rp + c.rfc + c.rcd + c.ras);
+    REQUIRE(rig.scans > 1000);
+    REQUIRE(rig.longest_scan <= 4 * line + refresh);
+    REQUIRE(rig.longest_scan > 100);
+}
+
+TEST_CASE("figures of the board's memory", "[.figures]") {
+    MemoryRig rig(sdram_part("as4c32m16sb"), 75'000, 4);
+    while (!rig.model.init_done()) rig.step({});
+    for (int i = 0; i < 400'000; ++i) rig.step({100, 3, 100, 100, 100});
+    std::printf("full load with an urgent scan, 400000 cycles: %zu lines, longest scan %lu cycles\n",
+                rig.order.size(), static_cast<unsigned long>(rig.longest_scan));
+}
+
+TEST_CASE("skipped quiet cycles of the board's memory change nothing", "[memory][skip]") {
+    const SdramClocks clocks = sdram_clocks(sdram_part("is42s16160g"), 100'000);
+    MemoryClients stepped(clocks, 4), skipped(clocks, 4);
+    Draw draw(9);
+    const auto both = [&](const ClientOffers& offers) {
+        REQUIRE(stepped.ready(offers) == skipped.ready(offers));
+        REQUIRE(stepped.answers() == skipped.answers());
+        REQUIRE(stepped.pixels_next() == skipped.pixels_next());
+        REQUIRE(stepped.scan_beat() == skipped.scan_beat());
+        REQUIRE(stepped.sdram().pins().command == skipped.sdram().pins().command);
+        stepped.clock(offers);
+        skipped.clock(offers);
+    };
+    while (!stepped.init_done()) both({});
+    std::uint64_t skips = 0;
+    for (int i = 0; i < 3000; ++i) {
+        ClientOffers offers;
+        offers.chip = {draw.percent(40), std::uint32_t(draw.bits(4)), std::uint32_t(draw.bits(19))};
+        offers.scan = {draw.percent(20), std::uint32_t(draw.bits(19)), draw.coin()};
+        offers.pixels = {draw.percent(20), std::uint32_t(draw.bits(19))};
+        offers.host = {draw.percent(40), draw.coin(), std::uint32_t(draw.bits(19))};
+        both(offers);
+        for (int k = draw.coin() ? draw.below(120) : 0; k > 0; --k) both({});
+        const std::uint64_t some = std::min(skipped.quiet_cycles(), draw.bits(draw.coin() ? 2 : 10));
+        skips += some;
+        skipped.skip(some);
+        for (std::uint64_t k = 0; k < some; ++k) {
+            REQUIRE_FALSE(stepped.answers());
+            stepped.clock({});
+        }
+    }
+    REQUIRE(skips > 10'000);
 }

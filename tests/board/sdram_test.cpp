@@ -124,7 +124,7 @@ TEST_CASE("an idle SDRAM controller refreshes every row in 64 ms", "[sdram][lock
     REQUIRE(rig.chip.refreshes() <= 8210);
 }
 
-TEST_CASE("a stream of reads fills the bus of the SDRAM but for refreshes", "[sdram][speed]") {
+TEST_CASE("a stream of reads fills the bus of the SDRAM except during refreshes", "[sdram][speed]") {
     const int khz = any_khz();
     const SdramPart& part = any_sdram();
     CAPTURE(khz, part.name);

@@ -195,8 +195,8 @@ public:
         idle(4);
     }
 
-    /// Resets controller and model, whatever is in flight. The chip sees the pins of this cycle, and then no
-    /// command and masked bytes.
+    /// Resets controller and model with requests and beats in flight. The chip sees the pins of this cycle,
+    /// and then no command and masked bytes.
     void reset() {
         req_valid_ = 0;
         rtl_.settle();

@@ -48,7 +48,7 @@ mutant(sdram_reads_a_row_that_is_not_known FILE rtl/board/rc_sdram.sv TEST board
   NEW [[assign cur_may   = cur_valid_q && !due_q && (known_q || !cur_write_q) && equal_q]])
 
 # ---- The clients: priority, turns, order of words, masks.
-mutant(memory_host_waits_for_ever QUICK FILE rtl/board/rc_board_memory.sv TEST board [memory]
+mutant(memory_host_is_never_due QUICK FILE rtl/board/rc_board_memory.sv TEST board [memory]
   OLD [[assign host_is_due = overtaken_q == 4'(HostCap);]]
   NEW [[assign host_is_due = overtaken_q == 4'(HostCap) && scan_urgent_i;]])
 mutant(memory_pixels_have_no_turn FILE rtl/board/rc_board_memory.sv TEST board [memory]
