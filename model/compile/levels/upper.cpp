@@ -10,6 +10,7 @@
 #include "model/engine/spheres/around.hpp"
 #include "model/engine/spheres/encode.hpp"
 #include "model/compile/levels/upper_lines.hpp"
+#include "model/compile/textures.hpp"
 
 namespace rayclock {
 namespace {
