@@ -213,7 +213,7 @@ std::string page(const Areas& areas, const std::vector<Speed>& speeds, const std
         "need.\n\nMade by `{}`, which counts or measures every figure.\nConditions: configuration `{}` "
         "except for its optional units; {}.\n\n## With and without\n\n`hits` finds the hits of camera rays "
         "and computes no colours. The other machines make finished pictures: `shading` has no further "
-        "unit,\nthe next five have one more each, and the last has all. \"More\" compares `shading` with "
+        "unit,\nthe next ones have one more each, and the last has all. \"More\" compares `shading` with "
         "`hits`, and the others with `shading`.\nThe largest ECP5, {}, has {} LUTs and as many flip-flops, "
         "{} multipliers and {} block memories.\n\n",
         command, base, synth::yosys_version().substr(0, synth::yosys_version().find(" (")), largest.name,

@@ -282,7 +282,7 @@ TEST_CASE("the page of textures has every filter and format, and the same cycles
     for (const char* bad : {"nan", "inf ", "{}", "/tmp"}) CHECK(page.find(bad) == std::string::npos);
     check_refused(run_program({"study", "textures"}), {"--output"});
     check_refused(run_program({"study", "textures", "-o", folder.name("page"), "--scenes", "gears:1"}),
-                  {"gears:1", "no picture"});
+                  {"gears:1", "no texture"});
     check_refused(run_program({"study", "textures", "-o", folder.name("page"), "--set", "texels=rgb565"}),
                   {"texels"});
     check_refused(run_program({"study", "textures", "-o", folder.name("page"), "--scenes", "room,room"}),

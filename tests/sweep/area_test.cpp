@@ -93,15 +93,15 @@ TEST_CASE("machines with and without units, from any configuration that can shad
     for (const std::string& name : config_names()) {
         INFO(name);
         const std::vector<Variant> all = variants_of(named_config(name));
-        REQUIRE(all.size() == 8);
+        REQUIRE(all.size() == 9);
         CHECK(!all[0].config.shading);
         CHECK(all[1].config.shading);
         const auto further = [](const Config& c) {
-            return c.spheres + c.planes + c.smooth + c.refraction + c.supersampling;
+            return c.spheres + c.planes + c.smooth + c.refraction + c.supersampling + c.textures;
         };
         CHECK(further(all[1].config) == 0);
-        for (std::size_t v = 2; v < 7; ++v) CHECK(further(all[v].config) == 1);
-        CHECK(further(all[7].config) == 5);
+        for (std::size_t v = 2; v < 8; ++v) CHECK(further(all[v].config) == 1);
+        CHECK(further(all[8].config) == 6);
         for (const Variant& v : all) CHECK(v.config.coord_bits == named_config(name).coord_bits);
     }
     Config sheared = named_config("default");

@@ -14,7 +14,7 @@ namespace rayclock::area {
 namespace {
 
 /// Units of a chip that shades, which only some scenes need.
-constexpr const char* further[] = {"spheres", "planes", "smooth", "refraction", "supersampling"};
+constexpr const char* further[] = {"spheres", "planes", "smooth", "refraction", "supersampling", "textures"};
 
 bool always(const Config&) { return true; }
 bool shades(const Config& c) { return c.has_shade(); }
