@@ -78,10 +78,10 @@ void verilate(const fs::path& folder, const Config& config, const std::string& m
         write_text(folder / "gates.vlt", gates_vlt());
     }
     write_text(folder / "taps.vlt", adapter_vlt(module, config));
-    const Arguments words = Arguments{"verilator"} + verilator_flags +
-                            (netlist.empty() ? Arguments{} : netlist_verilator_flags) +
-                            (waves == Waves::yes ? wave_verilator_flags : Arguments{}) +
-                            top_arguments(module, !netlist.empty()) + Arguments{"--Mdir", "obj", "taps.vlt"} + files;
+    const Arguments words =
+        Arguments{"verilator"} + verilator_flags + (netlist.empty() ? Arguments{} : netlist_verilator_flags) +
+        (waves == Waves::yes ? wave_verilator_flags : Arguments{}) + top_arguments(module, !netlist.empty()) +
+        Arguments{"--Mdir", "obj", "taps.vlt"} + files;
     const std::string what =
         fmt::format("verilator on {} of {}{}", module, rtl_sources().string(), replacements_text());
     run_tools(folder, {{words, "verilator.log"}}, what, meanwhile);
