@@ -14,7 +14,7 @@ constexpr std::uint64_t frame_clocks = 800 * 525;   // pixel clocks
 LineMemory random_memory(std::size_t lines, unsigned seed) {
     Draw draw{seed};
     LineMemory memory(lines);
-    for (LineBeats& line : memory)
+    for (PixelLine& line : memory)
         for (std::uint16_t& beat : line) beat = std::uint16_t(draw.bits(16));
     return memory;
 }

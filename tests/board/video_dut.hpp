@@ -19,12 +19,12 @@
 namespace rayclock::test {
 
 /// The configuration of rc_pkg, on which parts of the board do not depend.
-inline Config board_config() { return Config{}; }
+inline Config video_config() { return Config{}; }
 
 /// A port, found once.
-class Signal {
+class VideoPort {
 public:
-    Signal(RtlModule& rtl, const char* name) : port_(&rtl.port(name)) {}
+    VideoPort(RtlModule& rtl, const char* name) : port_(&rtl.port(name)) {}
     void operator=(std::uint64_t value) const {
         std::memcpy(port_->data, &value, std::min(port_->bytes, 8U));
     }
@@ -39,15 +39,15 @@ private:
 };
 
 /// Lines of 64 bytes, as 32 beats of 16 bits.
-using LineBeats = std::array<std::uint16_t, 32>;
-using LineMemory = std::vector<LineBeats>;
+using PixelLine = std::array<std::uint16_t, 32>;
+using LineMemory = std::vector<PixelLine>;
 
 inline std::uint32_t line_of(const ShownPicture& picture, std::uint32_t x, std::uint32_t y) {
     return picture.base + y / 4 * picture.blocks_across() + x / 4;
 }
 inline ScreenPicture::Pixel pixel_in(const LineMemory& memory, const ShownPicture& picture, std::uint32_t x,
                                      std::uint32_t y) {
-    const LineBeats& line = memory.at(line_of(picture, x, y));
+    const PixelLine& line = memory.at(line_of(picture, x, y));
     const std::size_t beat = 2 * (4 * (y % 4) + x % 4);
     return {std::uint8_t(line[beat]), std::uint8_t(line[beat] >> 8), std::uint8_t(line[beat + 1])};
 }
@@ -125,7 +125,7 @@ class ScanOutPair {
 public:
     explicit ScanOutPair(std::uint32_t chip_khz = 75000, unsigned seed = 1)
         : model(ScanOut::Shape{.chip_khz = chip_khz}),
-          rtl_(board_config(), "rc_scan_out,ChipKhz=" + std::to_string(chip_khz), int(seed)) {
+          rtl_(video_config(), "rc_scan_out ChipKhz=" + std::to_string(chip_khz), int(seed)) {
         req_ready_ = 0, rd_valid_ = 0, rd_data_ = 0, base_ = 0, width_ = 0, height_ = 0, double_ = 0;
         rtl_.reset();
     }
@@ -169,9 +169,9 @@ private:
 
     RtlModule rtl_;
     std::uint64_t cycle_ = 0;
-    Signal req_ready_{rtl_, "req_ready"}, rd_valid_{rtl_, "rd_valid"}, rd_data_{rtl_, "rd_data"},
+    VideoPort req_ready_{rtl_, "req_ready"}, rd_valid_{rtl_, "rd_valid"}, rd_data_{rtl_, "rd_data"},
         base_{rtl_, "base"}, width_{rtl_, "width"}, height_{rtl_, "height"}, double_{rtl_, "double"};
-    Signal takes_{rtl_, "takes"}, underruns_{rtl_, "underruns"}, req_valid_{rtl_, "req_valid"},
+    VideoPort takes_{rtl_, "takes"}, underruns_{rtl_, "underruns"}, req_valid_{rtl_, "req_valid"},
         req_addr_{rtl_, "req_addr"}, urgent_{rtl_, "urgent"}, pixel_valid_{rtl_, "pixel_valid"},
         pixel_colour_{rtl_, "pixel_colour"}, pixel_de_{rtl_, "pixel_de"}, pixel_hsync_{rtl_, "pixel_hsync"},
         pixel_vsync_{rtl_, "pixel_vsync"};
@@ -182,7 +182,7 @@ private:
 class Video {
 public:
     Video(std::uint32_t chip_khz, TmdsReceiver& receiver)
-        : chip_khz_(chip_khz), receiver_(receiver), rtl_(board_config(), "rc_video") {
+        : chip_khz_(chip_khz), receiver_(receiver), rtl_(video_config(), "rc_video") {
         pixel_valid_ = 0, pixel_rst_ = 0, shift_rst_ = 0, shift_clk_ = 0, pixel_clk_ = 0;
         for (int i = 0; i < 10; ++i) edges(true, true);
         rtl_.reset();
@@ -230,11 +230,11 @@ private:
     std::uint64_t chip_time_ = 0, shift_time_ = 0, shift_edges_ = 0;
     TmdsReceiver& receiver_;
     RtlModule rtl_;
-    Signal pixel_valid_{rtl_, "pixel_valid"}, pixel_colour_{rtl_, "pixel_colour"},
+    VideoPort pixel_valid_{rtl_, "pixel_valid"}, pixel_colour_{rtl_, "pixel_colour"},
         pixel_de_{rtl_, "pixel_de"}, pixel_hsync_{rtl_, "pixel_hsync"}, pixel_vsync_{rtl_, "pixel_vsync"},
         pixel_rst_{rtl_, "pixel_rst"}, shift_rst_{rtl_, "shift_rst"}, pixel_clk_{rtl_, "pixel_clk"},
         shift_clk_{rtl_, "shift_clk"};
-    Signal overflow_{rtl_, "overflow"}, underflow_{rtl_, "underflow"}, tmds_{rtl_, "tmds"};
+    VideoPort overflow_{rtl_, "overflow"}, underflow_{rtl_, "underflow"}, tmds_{rtl_, "tmds"};
 };
 
 /// rc_pixel_writer with its model, on a memory that accepts writes at random times.
@@ -245,7 +245,7 @@ public:
     };
 
     PixelWriterPair(LineMemory& memory, unsigned seed)
-        : memory_(memory), draw_(seed), rtl_(board_config(), "rc_pixel_writer", int(seed)) {
+        : memory_(memory), draw_(seed), rtl_(video_config(), "rc_pixel_writer", int(seed)) {
         pixel_valid_ = 0, req_ready_ = 0, next_ = 0, flush_ = 0;
         rtl_.reset();
     }
@@ -308,10 +308,10 @@ private:
     RtlModule rtl_;
     std::uint64_t cycle_ = 0;
     std::uint32_t beats_left_ = 0, line_ = 0;
-    Signal base_{rtl_, "base"}, width_{rtl_, "width"}, flush_{rtl_, "flush"},
+    VideoPort base_{rtl_, "base"}, width_{rtl_, "width"}, flush_{rtl_, "flush"},
         pixel_valid_{rtl_, "pixel_valid"}, pixel_x_{rtl_, "pixel_x"}, pixel_y_{rtl_, "pixel_y"},
         pixel_colour_{rtl_, "pixel_colour"}, req_ready_{rtl_, "req_ready"}, next_{rtl_, "next"};
-    Signal empty_{rtl_, "empty"}, pixel_ready_{rtl_, "pixel_ready"}, req_valid_{rtl_, "req_valid"},
+    VideoPort empty_{rtl_, "empty"}, pixel_ready_{rtl_, "pixel_ready"}, req_valid_{rtl_, "req_valid"},
         req_addr_{rtl_, "req_addr"}, data_{rtl_, "data"}, mask_{rtl_, "mask"};
 };
 

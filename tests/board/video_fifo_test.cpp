@@ -13,7 +13,7 @@ using namespace rayclock::test;
 class Fifo {
 public:
     explicit Fifo(std::uint32_t chip_khz)
-        : chip_khz_(chip_khz), rtl_(board_config(), "rc_video_fifo,Width=16") {
+        : chip_khz_(chip_khz), rtl_(video_config(), "rc_video_fifo Width=16") {
         valid_ = 0, pixel_clk_ = 0, pixel_rst_ = 0;
         for (int i = 0; i < 4; ++i) edge(true, true);
         rtl_.reset();
@@ -68,9 +68,9 @@ private:
     std::uint64_t chip_time_ = 0, pixel_time_ = 0;
     std::size_t paused_at_ = 0;   ///< entries before the last pause
     RtlModule rtl_;
-    Signal valid_{rtl_, "valid"}, data_{rtl_, "data"}, pixel_clk_{rtl_, "pixel_clk"},
+    VideoPort valid_{rtl_, "valid"}, data_{rtl_, "data"}, pixel_clk_{rtl_, "pixel_clk"},
         pixel_rst_{rtl_, "pixel_rst"};
-    Signal overflow_{rtl_, "overflow"}, underflow_{rtl_, "underflow"}, out_valid_{rtl_, "out_valid"},
+    VideoPort overflow_{rtl_, "overflow"}, underflow_{rtl_, "underflow"}, out_valid_{rtl_, "out_valid"},
         out_{rtl_, "out"};
 };
 

@@ -130,10 +130,10 @@ bool has_clock(const std::string& module) { return module != "rc_log"; }
 
 }   // namespace
 
-std::string module_name(const std::string& module) { return module.substr(0, module.find(',')); }
+std::string module_name(const std::string& module) { return module.substr(0, module.find(' ')); }
 
 std::vector<std::string> module_parameters(const std::string& module) {
-    std::vector<std::string> parameters = split(module, ',');
+    std::vector<std::string> parameters = split(module, ' ');
     parameters.erase(parameters.begin());
     return parameters;
 }

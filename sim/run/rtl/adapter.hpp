@@ -27,7 +27,7 @@ struct PortSpec {
     std::string path{}, module{}, valid{}, ready{}, data{};
 };
 
-/// A module may be given with values of its parameters: "rc_scan_out,ChipKhz=50000". Returns its name alone.
+/// A module may be given with values of its parameters: "rc_scan_out ChipKhz=50000". Returns its name alone.
 std::string module_name(const std::string& module);
 /// Returns the values: {"ChipKhz=50000"}.
 std::vector<std::string> module_parameters(const std::string& module);

@@ -13,6 +13,7 @@
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
 #include "sim/files/scratch.hpp"
+#include "sim/run/rtl/adapter.hpp"
 #include "sim/run/rtl/compile.hpp"
 #include "sim/run/rtl/gates.hpp"
 #include "sim/files/process/interrupt.hpp"
@@ -61,7 +62,8 @@ void take(BuildLock& lock, Report& report) {
 
 /// Returns the beginning of an entry's name, a hash of the inputs. A hash of the tools follows it.
 std::string entry_begin(const Config& config, const std::string& module, Waves waves) {
-    return fmt::format("{}-{:016x}-", module, hash_of(build_inputs(config, module, waves, form)));
+    return fmt::format("{}-{:016x}-", module_name(module),
+                       hash_of(build_inputs(config, module, waves, form)));
 }
 
 std::string made_by() {
