@@ -28,7 +28,7 @@ std::size_t PixelWriter::chosen(bool flush) const {
 }
 
 bool PixelWriter::sleeps(bool flush) const {
-    if (!input_.empty() && entered(input_.front()) != buffers) return false;
+    if (enters_ || (!input_.empty() && entered(input_.front()) != buffers)) return false;
     for (const Buffer& b : buffers_)
         if (b.full != (b.open && b.there == 0xffff)) return false;
     if (state_ == State::idle) return chosen(flush) == buffers && waits_ == !input_.empty();
@@ -38,20 +38,23 @@ bool PixelWriter::sleeps(bool flush) const {
 
 void PixelWriter::clock(const Inputs& in) {
     const bool accepts = in.pixel && ready();
-    const std::size_t goes = state_ == State::idle ? chosen(in.flush) : buffers;
-    const std::size_t enters = input_.empty() ? buffers : entered(input_.front());
+    const bool is_idle = state_ == State::idle, looks = !input_.empty() && !enters_;
+    const std::size_t goes = is_idle && (!looks || waits_) ? chosen(in.flush) : buffers;
+    const std::size_t found = looks ? entered(input_.front()) : buffers;
 
-    waits_ = state_ == State::idle && !input_.empty() && enters == buffers;
+    waits_ = is_idle && looks && found == buffers;
     for (Buffer& b : buffers_) b.full = b.open && b.there == 0xffff;
 
-    // The head of the queue enters its buffer.
-    if (enters != buffers) {
+    // The head of the queue enters the buffer that it found a cycle ago.
+    if (enters_) {
         const Place pixel = input_.front();
         input_.pop();
-        Buffer& buffer = buffers_[enters];
+        Buffer& buffer = buffers_[found_];
         if (!buffer.open) buffer = {true, true, buffer.full, pixel.x / 4, pixel.y / 4, 0, begun_++};
         buffer.there = std::uint16_t(buffer.there | 1U << (4 * (pixel.y % 4) + pixel.x % 4));
     }
+    enters_ = looks && found != buffers;
+    found_ = found;
     if (accepts) input_.push(*in.pixel);
 
     // The write under way.

@@ -56,7 +56,9 @@ private:
     /// Returns the buffer to write next, or `buffers` if there is none.
     std::size_t chosen(bool flush) const;
 
-    bool waits_ = false;   ///< a pixel has waited for a buffer while no write was under way
+    bool waits_ = false;    ///< a pixel has waited for a buffer while no write was under way
+    bool enters_ = false;   ///< the head of the queue has found a buffer
+    std::size_t found_ = buffers;
     Ring<Place, 2> input_{2};
     std::array<Buffer, buffers> buffers_{};
     std::uint64_t begun_ = 0;

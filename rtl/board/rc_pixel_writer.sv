@@ -5,9 +5,9 @@
 //
 // Four buffers hold a block each. A pixel enters the buffer of its block, or a free one. A buffer
 // is written, one at a time, the oldest first: if it is full; else if a pixel needs a buffer and
-// none is free; else while flush_i is high. Words without a pixel are masked. A pixel is accepted
-// in each cycle, until it needs a buffer that is not free. A write takes four cycles, the time
-// until the request is accepted, and its 32 beats.
+// none is free; else while flush_i is high. Words without a pixel are masked. A pixel enters every
+// other cycle, until it needs a buffer that is not free. A write takes four cycles, the time until
+// the request is accepted, and its 32 beats, which is longer than 16 pixels need to enter.
 //
 // base_i and width_i may change only while empty_o is high. Raise flush_i after the last pixel:
 // each pixel that comes while it is high may cost a write of its own. empty_o is high when no
@@ -59,17 +59,28 @@ module rc_pixel_writer #(
     .valid_o(head_valid), .ready_i(head_fires), .data_o({head_x, head_y, head_colour}));
 
   // ---- Buffers: used, and open for pixels of their block. older_q[4 * i + j]: i is older than j.
-  logic [Buffers-1:0]         used_q, open_q, same, lowest_free, entered, full;
+  logic [Buffers-1:0]         used_q, open_q, same, lowest_free, found, full;
   logic [Buffers*Buffers-1:0] older_q;
   logic [16*Buffers-1:0]      there_q;                // words with a pixel
   logic [BlockW*Buffers-1:0]  block_x_q, block_y_q;
   logic [1:0]                 entered_index;
   logic [3:0]                 head_word;
 
+  // A cycle finds the buffer of the head, the next lets it enter.
+  logic               looks, enters_q, begins_q;
+  logic [Buffers-1:0] found_q;
+
   assign head_word   = {head_y[1:0], head_x[1:0]};
   assign lowest_free = ~used_q & (used_q + 1'b1);
-  assign entered     = same != '0 ? same : lowest_free;
-  assign head_fires  = head_valid && entered != '0;
+  assign found       = same != '0 ? same : lowest_free;
+  assign looks       = head_valid && !enters_q;
+  assign head_fires  = enters_q;
+
+  always_ff @(posedge clk_i) begin
+    enters_q <= rst_ni && looks && found != '0;
+    found_q  <= found;
+    begins_q <= same == '0;
+  end
 
   for (genvar i = 0; i < Buffers; i++) begin : gen_match
     assign same[i] = open_q[i] && block_x_q[BlockW*i +: BlockW] == head_x[SideW-1:2]
@@ -79,7 +90,7 @@ module rc_pixel_writer #(
 
   always_comb begin
     entered_index = '0;
-    for (int i = 0; i < Buffers; i++) if (entered[i]) entered_index = 2'(i);
+    for (int i = 0; i < Buffers; i++) if (found_q[i]) entered_index = 2'(i);
   end
 
   // ---- The buffer to write next: the oldest of the full ones, or of all. What it depends on
@@ -92,7 +103,7 @@ module rc_pixel_writer #(
   always_ff @(posedge clk_i) begin
     full_q  <= full;
     // While no write is under way, no buffer becomes free.
-    waits_q <= head_valid && entered == '0 && state_q == StIdle;
+    waits_q <= looks && found == '0 && state_q == StIdle;
   end
 
   always_comb begin
@@ -118,7 +129,8 @@ module rc_pixel_writer #(
   logic [15:0]        data_q;
   logic [1:0]         mask_q;
 
-  assign chooses = state_q == StIdle && oldest != '0;
+  // A buffer that the head may have found does not close before the head has entered it.
+  assign chooses = state_q == StIdle && oldest != '0 && (!looks || waits_q);
   assign loads   = state_q == StAdd || next_i;
   assign ends    = state_q == StBeats && next_i && beat_q == '0;
 
@@ -169,8 +181,8 @@ module rc_pixel_writer #(
   // ---- State of the buffers.
   for (genvar i = 0; i < Buffers; i++) begin : gen_buffer
     logic enters, begins;
-    assign enters = head_fires && entered[i];
-    assign begins = enters && !same[i];
+    assign enters = enters_q && found_q[i];
+    assign begins = enters && begins_q;
 
     always_ff @(posedge clk_i) begin
       if (!rst_ni) begin
@@ -193,7 +205,7 @@ module rc_pixel_writer #(
     // A new block is younger than all others.
     for (genvar j = 0; j < Buffers; j++) begin : gen_older
       logic other_begins;
-      assign other_begins = head_fires && entered[j] && !same[j];
+      assign other_begins = enters_q && found_q[j] && begins_q;
       always_ff @(posedge clk_i) begin
         if (begins)            older_q[Buffers*i+j] <= 1'b0;
         else if (other_begins) older_q[Buffers*i+j] <= i != j;

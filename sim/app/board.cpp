@@ -33,7 +33,7 @@ constexpr int simulated_baud = 15'000'000;
 
 struct BoardOptions {
     std::string scene, size = "64x48", clock = "75", port = simulated, sdram = "as4c32m16sb";
-    ConfigChoice config{"ulx3s-board"};
+    ConfigChoice config{"ulx3s-board", {}};
     Finish finish;
     ViewChoice view;
     bool dark = false;
@@ -172,7 +172,7 @@ int run_board(const BoardOptions& o) {
         settings.baud = port_baud;
         port = std::make_unique<Port>(o.port, settings.baud);
     }
-    Link link(board ? static_cast<Channel&>(*board) : *port, settings);
+    BoardLink link(board ? static_cast<Channel&>(*board) : *port, settings);
     BoardHost host(link, config, part);
     std::uint64_t done = 0;
     host.load(job.image, done, progress);
@@ -207,12 +207,14 @@ int run_board(const BoardOptions& o) {
     }
     if (!o.output.empty()) {
         fs::create_directories(o.output);
-        write_picture(picture_of(size, expected), (fs::path(o.output) / "model.png").string());
-        write_picture(picture_of(size, check.board.pixels), (fs::path(o.output) / "board.png").string());
+        const auto write = [&](const char* name, const Picture& picture) {
+            write_picture((fs::path(o.output) / name).string(), picture, {});
+        };
+        write("model.png", picture_of(size, expected));
+        write("board.png", picture_of(size, check.board.pixels));
         if (check.wrong_screen_pixels)
-            write_picture(
-                picture_of({int(Screens::width), int(Screens::height)}, board->screen().picture().pixels),
-                (fs::path(o.output) / "screen.png").string());
+            write("screen.png", picture_of({int(Screens::width), int(Screens::height)},
+                                           board->screen().picture().pixels));
     }
     o.json.write(
         {{"cycles",

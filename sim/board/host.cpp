@@ -24,7 +24,7 @@ std::vector<MemoryLine> lines_of(const MemoryImage& image) {
 
 }   // namespace
 
-BoardHost::BoardHost(Link& link, const Config& config, const SdramPart& part)
+BoardHost::BoardHost(BoardLink& link, const Config& config, const SdramPart& part)
     : link_(link), config_(config), part_(part) {
     const BoardIdentity board = link_.hello();
     if (board.config_hash != config_hash(config))

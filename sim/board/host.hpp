@@ -23,12 +23,12 @@ struct BoardFrame {
     std::vector<std::array<std::uint8_t, 3>> pixels;   ///< [y * width + x]: red, green, blue
 };
 
-/// A board at the other end of a link. All functions throw what Link throws, and UserError if the board is
+/// A board at the other end of a link. All functions throw what BoardLink throws, and UserError if the board is
 /// not the one that is expected.
 class BoardHost {
 public:
     /// Says hello. Throws UserError if the bitstream was made from another configuration. Resets the chip.
-    BoardHost(Link& link, const Config& config, const SdramPart& part);
+    BoardHost(BoardLink& link, const Config& config, const SdramPart& part);
 
     /// Writes the memory image. `done` counts lines that the board has; a call with the same arguments
     /// continues after LinkLost.
@@ -40,7 +40,7 @@ private:
     std::uint64_t read_counter(std::uint32_t address);
     void read_accounts(Accounts& accounts);
 
-    Link& link_;
+    BoardLink& link_;
     Config config_;
     SdramPart part_;
     std::uint32_t drawn_ = 0;   ///< picture 0 or 1

@@ -48,27 +48,27 @@ std::string why(LinkReason reason) {
 }   // namespace
 
 /// A packet in flight.
-struct Link::Sent {
+struct BoardLink::Sent {
     LinkCommand command;
     std::vector<std::uint8_t> bytes;
     bool is_answered = false;
     std::uint64_t order = 0;   ///< number of its last transmission
 };
 
-Link::Link(Channel& channel, LinkSettings settings) : channel_(channel), settings_(std::move(settings)) {
+BoardLink::BoardLink(Channel& channel, LinkSettings settings) : channel_(channel), settings_(std::move(settings)) {
     if (settings_.tries < 1 || settings_.window < 1 || settings_.window > link_history || settings_.baud < 1)
         throw std::logic_error("settings of the link");
     greeting_ = settings_.hello ? *settings_.hello : std::uint32_t(std::random_device{}());
 }
 
-void Link::refuse(const LinkCommand& command, LinkReason reason) const {
+void BoardLink::refuse(const LinkCommand& command, LinkReason reason) const {
     if (reason == LinkReason::no_session)
         throw BoardReset(settings_.name + ": the board was reset meanwhile; begin again");
     throw LinkRefused(
         fmt::format("{}: the board refuses {}: {}", settings_.name, what_of(command), why(reason)), reason);
 }
 
-void Link::run(std::uint64_t n, const Make& make, const Answered& answered,
+void BoardLink::run(std::uint64_t n, const Make& make, const Answered& answered,
                const std::function<void(std::uint64_t)>& advanced) {
     std::deque<Sent> flight;   // commands base, base + 1, ... in order
     std::uint64_t base = 0, orders = 0;
@@ -173,7 +173,7 @@ void Link::run(std::uint64_t n, const Make& make, const Answered& answered,
     if (refusal) refuse(refusal->first, refusal->second);
 }
 
-LinkAnswer Link::one(const LinkCommand& command) {
+LinkAnswer BoardLink::one(const LinkCommand& command) {
     LinkAnswer result;
     run(
         1, [&](std::uint64_t) { return command; },
@@ -181,7 +181,7 @@ LinkAnswer Link::one(const LinkCommand& command) {
     return result;
 }
 
-void Link::greet() {
+void BoardLink::greet() {
     LinkCommand hello;
     hello.sequence = sequence_;
     hello.address = greeting_++;
@@ -215,7 +215,7 @@ void Link::greet() {
                     settings_.name, settings_.baud));
 }
 
-BoardIdentity Link::hello() {
+BoardIdentity BoardLink::hello() {
     greet();
     const auto strange = [&](const std::string& what) {
         return UserError(fmt::format("{}: {}", settings_.name, what));
@@ -233,19 +233,19 @@ BoardIdentity Link::hello() {
     return board;
 }
 
-std::uint32_t Link::read_register(RegisterSpace space, std::uint32_t number) {
+std::uint32_t BoardLink::read_register(RegisterSpace space, std::uint32_t number) {
     return one({LinkKind::read_register, 0, std::uint32_t(space) | number}).value;
 }
 
-void Link::write_register(RegisterSpace space, std::uint32_t number, std::uint32_t value) {
+void BoardLink::write_register(RegisterSpace space, std::uint32_t number, std::uint32_t value) {
     one({LinkKind::write_register, 0, std::uint32_t(space) | number, 0, value});
 }
 
-std::uint32_t Link::check_lines(std::uint32_t first, std::uint16_t count) {
+std::uint32_t BoardLink::check_lines(std::uint32_t first, std::uint16_t count) {
     return one({LinkKind::check_lines, 0, first, count}).value;
 }
 
-void Link::read_lines(std::uint32_t first, std::span<MemoryLine> lines) {
+void BoardLink::read_lines(std::uint32_t first, std::span<MemoryLine> lines) {
     const auto count = [&](std::uint64_t i) {
         return std::uint16_t(std::min<std::uint64_t>(link_lines_most, lines.size() - i * link_lines_most));
     };
@@ -260,7 +260,7 @@ void Link::read_lines(std::uint32_t first, std::span<MemoryLine> lines) {
         });
 }
 
-void Link::upload(std::uint32_t first, std::span<const MemoryLine> lines, std::uint64_t& done,
+void BoardLink::upload(std::uint32_t first, std::span<const MemoryLine> lines, std::uint64_t& done,
                   const Progress& progress) {
     const std::uint64_t from = done;
     const auto rest = lines.subspan(std::min<std::size_t>(from, lines.size()));
@@ -278,7 +278,7 @@ void Link::upload(std::uint32_t first, std::span<const MemoryLine> lines, std::u
         });
 }
 
-std::uint64_t Link::lines_that_hold(std::uint32_t first, std::span<const MemoryLine> lines) {
+std::uint64_t BoardLink::lines_that_hold(std::uint32_t first, std::span<const MemoryLine> lines) {
     const auto holds = [&](std::uint64_t from, std::uint64_t count) {
         const auto part = lines.subspan(from, count);
         const std::span bytes(part.empty() ? nullptr : part.front().data(), part.size_bytes());

@@ -71,10 +71,10 @@ struct BoardIdentity {
 
 /// A link to a board. Every function waits until the board has done everything, in order and once. All throw
 /// LinkLost, BoardReset and LinkRefused.
-class Link {
+class BoardLink {
 public:
     /// Throws std::logic_error if the settings make no sense.
-    explicit Link(Channel& channel, LinkSettings settings = {});
+    explicit BoardLink(Channel& channel, LinkSettings settings = {});
 
     /// Begins a session, which must precede everything else, and again after BoardReset. Throws UserError if
     /// the other end is another device or another version.

@@ -148,7 +148,7 @@ TEST_CASE("the host ends with one sentence whatever the board sends", "[decoder]
         settings.patience = LinkTime(20'000);
         settings.hello = 9;
         settings.tries = 3;
-        Link link(board, settings);
+        BoardLink link(board, settings);
         std::vector<MemoryLine> lines(100);
         try {
             link.hello();

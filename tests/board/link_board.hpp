@@ -269,7 +269,7 @@ private:
 /// What memory and registers must hold, beside a link: writes go to both, and reads are compared.
 class LinkTwin {
 public:
-    LinkTwin(LinkBoard& board, Link& link, int seed)
+    LinkTwin(LinkBoard& board, BoardLink& link, int seed)
         : board_(board),
           link_(link),
           rng_(std::uint64_t(seed) + 1000),
@@ -323,7 +323,7 @@ public:
 
 private:
     LinkBoard& board_;
-    Link& link_;
+    BoardLink& link_;
     Rng rng_;
     std::vector<MemoryLine> memory_;
     std::vector<std::uint32_t> chip_;

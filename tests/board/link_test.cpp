@@ -19,7 +19,7 @@ struct Bench {
         identity = link.hello();
     }
     ByteBoard board;
-    Link link;
+    BoardLink link;
     LinkTwin twin;
     BoardIdentity identity;
 };
@@ -105,7 +105,7 @@ TEST_CASE("the board refuses what it cannot do, and the session goes on", "[link
         }
         return LinkReason::done;
     };
-    Link& link = bench.link;
+    BoardLink& link = bench.link;
     std::vector<MemoryLine> lines(3);
     CHECK(reason([&] { link.read_register(RegisterSpace::chip, LinkBoard::registers); }) ==
           LinkReason::bus_error);
@@ -253,7 +253,7 @@ TEST_CASE("answers to an earlier program are not taken for answers to this one",
     for (const std::vector<std::uint8_t>& old :
          {answer_bytes(0x81, 0, 76, 0), answer_bytes(0x83, 1, board_magic, 0), answer_bytes(0x83, 2, 99, 0)})
         board.to_host.insert(board.to_host.end(), old.begin(), old.end());
-    Link link(board, ByteBoard::settings());
+    BoardLink link(board, ByteBoard::settings());
     CHECK(link.hello().version == link_version);
 }
 
@@ -290,7 +290,7 @@ TEST_CASE("a session begins behind garbage, and behind the half packet of a prog
         const std::vector<std::uint8_t> packet = packet_bytes({LinkKind::write_lines, 0, 0, 16, 0, lines});
         for (int i = 0, n = rng.below(int(packet.size())); i < n; ++i)
             board.to_board.push_back(packet[std::size_t(i)]);
-        Link link(board, ByteBoard::settings());
+        BoardLink link(board, ByteBoard::settings());
         CHECK(link.hello().lines == LinkBoard::lines);
         CHECK(board.writes.empty());
     }
@@ -380,7 +380,7 @@ TEST_CASE("a board that does not answer is one sentence", "[link]") {
     ByteBoard board(40);
     LinkSettings settings = ByteBoard::settings();
     settings.tries = 3;
-    Link link(board, settings);
+    BoardLink link(board, settings);
     board.to_board_faults.lost = 1'000'000;
     REQUIRE_THROWS_WITH(link.hello(), Catch::Contains("test: no rayclock board answers"));
     board.to_board_faults.lost = 0;

@@ -56,14 +56,14 @@ TEST_CASE("the pixel writer puts every pixel in its place, in the model's cycles
     Draw draw{7};
     const ShownPicture picture{1000, size.width, size.height};
     LineMemory memory(1000 + picture.blocks_across() * picture.blocks_down() + 1);
-    for (LineBeats& line : memory) line.fill(0xa5a5);
+    for (PixelLine& line : memory) line.fill(0xa5a5);
     const LineMemory before = memory;
     PixelWriterPair writer(memory, 3);
     const std::vector<PixelWriterPair::Pixel> pixels = pixels_of(picture, scatter, draw);
     write_all(writer, pixels, picture, accepts == 100 ? 100 : 60, accepts, draw);
     LineMemory expected = before;
     for (const auto& [x, y, colour] : pixels) {
-        LineBeats& line = expected.at(line_of(picture, x, y));
+        PixelLine& line = expected.at(line_of(picture, x, y));
         line[2 * (4 * (y % 4) + x % 4)] = std::uint16_t(colour);
         line[2 * (4 * (y % 4) + x % 4) + 1] = std::uint16_t(colour >> 16);
     }

@@ -140,7 +140,7 @@ TEST_CASE("another device is one sentence, and so is a port that is gone", "[por
     settings.tries = 3;
     const std::string noise = "login: \xc5\x3a\x81 and more";
     REQUIRE(write(terminal.outer, noise.data(), noise.size()) == ssize_t(noise.size()));
-    Link link(port, settings);
+    BoardLink link(port, settings);
     REQUIRE_THROWS_WITH(link.hello(), terminal.name +
                                           ": no rayclock board answers; is it plugged in, loaded with "
                                           "a bitstream of rayclock, and set to 3000000 baud?");
@@ -159,7 +159,7 @@ TEST_CASE("an upload over a terminal goes on after the cable was cut and plugged
     {
         Terminal terminal;
         Port port(terminal.name, 3'000'000);
-        Link link(port, settings_of(port));
+        BoardLink link(port, settings_of(port));
         Pump pump(board, terminal.outer);
         CHECK(link.hello().lines == LinkBoard::lines);
         const Progress progress = [&](std::string_view, std::uint64_t now, std::uint64_t) {
@@ -172,7 +172,7 @@ TEST_CASE("an upload over a terminal goes on after the cable was cut and plugged
     CHECK((done >= 300 && done < lines.size()));
     Terminal terminal;
     Port port(terminal.name, 3'000'000);
-    Link link(port, settings_of(port));
+    BoardLink link(port, settings_of(port));
     Pump pump(board, terminal.outer);
     link.hello();
     CHECK(link.lines_that_hold(10, lines) >= done);

@@ -14,7 +14,7 @@ constexpr std::uint64_t frame_clocks = 800 * 525;   // pixel clocks
 LineMemory random_memory(std::size_t lines, unsigned seed) {
     Draw draw{seed};
     LineMemory memory(lines);
-    for (LineBeats& line : memory)
+    for (PixelLine& line : memory)
         for (std::uint16_t& beat : line) beat = std::uint16_t(draw.bits(16));
     return memory;
 }
@@ -247,6 +247,23 @@ TEST_CASE("a due block may take as long as the blank and the screen before it", 
     CAPTURE(picture.width, delay);
     REQUIRE(underruns(picture, shape, {32, delay - 32, true, 0}, 3) == 0);
     if (picture.blocks_down() > 2) REQUIRE(underruns(picture, shape, {32, delay + 32, true, 0}, 3) > 0);
+}
+
+TEST_CASE("any picture is safe within the three bounds of the memory", "[board][scan]") {
+    Draw draw{23};
+    for (int i = 0; i < 25; ++i) {
+        const bool doubles = draw.coin();
+        const ShownPicture picture{0, std::uint32_t(draw.between(1, doubles ? 320 : 640)),
+                                   std::uint32_t(draw.between(1, doubles ? 240 : 480)), doubles};
+        const std::uint32_t khz = std::uint32_t(draw.between(40'000, 110'000));
+        const ScanOut::Shape shape{.chip_khz = khz};
+        const std::uint32_t delay = worst_delay_cycles(picture, khz, 25000),
+                            latency = std::uint32_t(draw.between(0, 100)),
+                            cycles = std::min(worst_line_cycles(picture, khz, 25000), delay - latency - 32);
+        CAPTURE(picture.width, picture.height, doubles, khz, cycles, latency);
+        if (cycles < 32 || latency + 34 > shape.in_flight * cycles) continue;
+        REQUIRE(underruns(picture, shape, {cycles, latency, true, 0}, 2) == 0);
+    }
 }
 
 TEST_CASE("the count of underruns is exact and ends at its largest value", "[board][scan]") {

@@ -16,7 +16,7 @@ using namespace rayclock::test;
 /// One channel's encoder.
 class Encoder {
 public:
-    Encoder() : rtl_(board_config(), "rc_tmds") {}
+    Encoder() : rtl_(video_config(), "rc_tmds") {}
     /// Sends a byte, or a control symbol, and returns what was sent two clocks before.
     std::uint16_t clock(std::optional<std::uint8_t> byte, std::uint8_t control = 0) {
         de_ = byte.has_value();

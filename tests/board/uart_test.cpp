@@ -256,7 +256,7 @@ TEST_CASE("the host reads and writes the board from pin to pin at every rate", "
         for (const double faster : {-0.02, 0.02}) {
             INFO(rate.khz << " kHz, " << rate.baud << " baud, host faster by " << faster);
             UartBoard board(rate, faster, 1);
-            Link link(board, board.settings());
+            BoardLink link(board, board.settings());
             LinkTwin twin(board, link, 1);
             const BoardIdentity identity = link.hello();
             CHECK(identity.config_hash == 0xfedc'ba98'7654'3210u);
@@ -271,7 +271,7 @@ TEST_CASE("the host reads and writes the board from pin to pin at every rate", "
 
 TEST_CASE("the board's registers have their values and their effects", "[uart]") {
     UartBoard board(fast, 0, 2);
-    Link link(board, board.settings());
+    BoardLink link(board, board.settings());
     link.hello();
     CHECK(link.read(BoardRegister::status) == 1);
     board.in("flushed", 1);
@@ -313,7 +313,7 @@ TEST_CASE("glitches of the line and clocks that differ lose nothing", "[uart][fa
     for (int seed = 1; seed <= 4; ++seed) {
         INFO("seed " << seed);
         UartBoard board(fast, seed % 2 ? 0.02 : -0.02, seed);
-        Link link(board, board.settings());
+        BoardLink link(board, board.settings());
         LinkTwin twin(board, link, seed);
         link.hello();
         board.glitches = 60;
@@ -327,7 +327,7 @@ TEST_CASE("glitches of the line and clocks that differ lose nothing", "[uart][fa
 
 TEST_CASE("a host that sends too far ahead loses bytes, which are counted, and nothing else", "[uart]") {
     UartBoard board(fast, 0, 3);
-    Link link(board, board.settings());
+    BoardLink link(board, board.settings());
     LinkTwin twin(board, link, 3);
     link.hello();   // its last packet has the number 5
     // An answer takes as long as 19 requests, and the FIFO holds 73.
@@ -358,7 +358,7 @@ TEST_CASE("a host that sends too far ahead loses bytes, which are counted, and n
 TEST_CASE("an upload takes the time of its bytes on the wire", "[uart]") {
     // 75 MHz, 3 Mbaud: 320 lines in 20 packets.
     UartBoard board(rates[0], 0, 9);
-    Link link(board, board.settings());
+    BoardLink link(board, board.settings());
     LinkTwin twin(board, link, 9);
     link.hello();
     const std::vector<MemoryLine> lines = twin.random_lines(320);

@@ -20,18 +20,18 @@
 namespace rayclock::test {
 
 /// The configuration of rc_pkg, on which parts of the board do not depend.
-inline Config board_config() { return Config{}; }
+inline Config video_config() { return Config{}; }
 
 /// Lines of 64 bytes, as 32 beats of 16 bits.
-using LineBeats = std::array<std::uint16_t, 32>;
-using LineMemory = std::vector<LineBeats>;
+using PixelLine = std::array<std::uint16_t, 32>;
+using LineMemory = std::vector<PixelLine>;
 
 inline std::uint32_t line_of(const ShownPicture& picture, std::uint32_t x, std::uint32_t y) {
     return picture.base + y / 4 * picture.blocks_across() + x / 4;
 }
 inline ScreenPicture::Pixel pixel_in(const LineMemory& memory, const ShownPicture& picture, std::uint32_t x,
                                      std::uint32_t y) {
-    const LineBeats& line = memory.at(line_of(picture, x, y));
+    const PixelLine& line = memory.at(line_of(picture, x, y));
     const std::size_t beat = 2 * (4 * (y % 4) + x % 4);
     return {std::uint8_t(line[beat]), std::uint8_t(line[beat] >> 8), std::uint8_t(line[beat + 1])};
 }
@@ -109,7 +109,7 @@ class ScanOutPair {
 public:
     explicit ScanOutPair(std::uint32_t chip_khz = 75000, unsigned seed = 1)
         : model(ScanOut::Shape{.chip_khz = chip_khz}),
-          rtl_(board_config(), "rc_scan_out ChipKhz=" + std::to_string(chip_khz), int(seed)) {
+          rtl_(video_config(), "rc_scan_out ChipKhz=" + std::to_string(chip_khz), int(seed)) {
         req_ready_ = 0, rd_valid_ = 0, rd_data_ = 0, base_ = 0, width_ = 0, height_ = 0, double_ = 0;
         rtl_.reset();
     }
@@ -167,7 +167,7 @@ private:
 class Video {
 public:
     Video(std::uint32_t chip_khz, TmdsReceiver& receiver)
-        : chip_khz_(chip_khz), receiver_(receiver), rtl_(board_config(), "rc_video") {
+        : chip_khz_(chip_khz), receiver_(receiver), rtl_(video_config(), "rc_video") {
         pixel_valid_ = 0, pixel_rst_ = 0, shift_rst_ = 0, shift_clk_ = 0, pixel_clk_ = 0;
         for (int i = 0; i < 10; ++i) edges(true, true);
         rtl_.reset();
@@ -230,7 +230,7 @@ public:
     };
 
     PixelWriterPair(LineMemory& memory, unsigned seed)
-        : memory_(memory), draw_(seed), rtl_(board_config(), "rc_pixel_writer", int(seed)) {
+        : memory_(memory), draw_(seed), rtl_(video_config(), "rc_pixel_writer", int(seed)) {
         pixel_valid_ = 0, req_ready_ = 0, next_ = 0, flush_ = 0;
         rtl_.reset();
     }

@@ -13,7 +13,7 @@ using namespace rayclock::test;
 class Fifo {
 public:
     explicit Fifo(std::uint32_t chip_khz)
-        : chip_khz_(chip_khz), rtl_(board_config(), "rc_video_fifo Width=16") {
+        : chip_khz_(chip_khz), rtl_(video_config(), "rc_video_fifo Width=16") {
         valid_ = 0, pixel_clk_ = 0, pixel_rst_ = 0;
         for (int i = 0; i < 4; ++i) edge(true, true);
         rtl_.reset();

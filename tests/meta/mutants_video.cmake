@@ -55,8 +55,11 @@ mutant(pixels_full_block_waits FILE ${pixel_writer} TEST board "a full block*"
   OLD [[if ((full_q & open_q) != '0) candidates]]
   NEW [[if ((full_q & open_q) == '1) candidates]])
 mutant(pixels_wait_for_a_buffer_that_is_free FILE ${pixel_writer} TEST board [pixels]
-  OLD [[entered == '0 && state_q == StIdle;]]
-  NEW [[entered == '0;]])
+  OLD [[found == '0 && state_q == StIdle;]]
+  NEW [[found == '0;]])
+mutant(pixels_buffer_closes_before_the_head_enters FILE ${pixel_writer} TEST board [pixels]
+  OLD [[(!looks || waits_q);]]
+  NEW [[(!looks || waits_q || head_valid);]])
 mutant(pixels_of_the_block_before FILE ${pixel_writer} TEST board [pixels]
   OLD [[(begins ? 16'd0 : there_q[16*i +: 16])]]
   NEW [[(begins && 1'b0 ? 16'd0 : there_q[16*i +: 16])]])
@@ -112,7 +115,7 @@ mutant(model_scan_skips_the_pace FILE model/board/scan_out.cpp TEST board "skipp
   OLD [[falls == to_fall_ ? 0 : pace - falls * pace_limit]]
   NEW [[pace_]])
 mutant(model_pixels_sleep_with_a_queued_pixel FILE model/board/pixel_writer.cpp TEST board [pixels]
-  OLD [[if (!input_.empty() && entered(input_.front()) != buffers) return false;]]
+  OLD [[if (enters_ || (!input_.empty() && entered(input_.front()) != buffers)) return false;]]
   NEW [[]])
 mutant(model_scan_line_of_31_beats FILE model/board/scan_out.cpp TEST board [scan]
   OLD [[beat_ == beats_of_line - 1;]]
