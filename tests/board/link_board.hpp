@@ -33,7 +33,7 @@ public:
           memory(lines),
           chip(registers),
           board(16),
-          rtl(Config{}, module + " -GLineBits=10 " + parameters, seed) {
+          rtl(Config{}, module + " LineBits=10 " + parameters, seed) {
         for (const char* name : {"wb_ack", "wb_err", "host_req_ready", "host_next", "host_rd_valid"})
             in(name, 0);
         wb_ = {&rtl.port("wb_cyc"), &rtl.port("wb_we"), &rtl.port("wb_adr"), &rtl.port("wb_dat_out")};
@@ -171,7 +171,7 @@ public:
     static constexpr int quiet = 300;   ///< cycles
 
     explicit ByteBoard(int seed, int quiet_cycles = quiet)
-        : LinkBoard("rc_link", "-GQuietCycles=" + std::to_string(quiet_cycles), seed),
+        : LinkBoard("rc_link", "QuietCycles=" + std::to_string(quiet_cycles), seed),
           rx_valid_(&rtl.port("rx_valid")),
           rx_data_(&rtl.port("rx_data")),
           rx_ready_(&rtl.port("rx_ready")),

@@ -71,7 +71,7 @@ TEST_CASE("the RTL of the host link builds", "[.build]") {
     const Config config;
     std::vector<RtlJob> jobs;
     for (const int quiet : {ByteBoard::quiet, 1'500'000})
-        jobs.push_back({"rc_link -GLineBits=10 -GQuietCycles=" + std::to_string(quiet), "bytes", config});
+        jobs.push_back({"rc_link LineBits=10 QuietCycles=" + std::to_string(quiet), "bytes", config});
     build_all(jobs);
     SUCCEED("all are there");
 }

@@ -18,9 +18,7 @@ struct Rate {
     int khz, baud;
     double bit() const { return khz * 1000.0 / baud; }   ///< cycles
     int quiet() const { return 200'000'000 / baud; }     ///< microseconds: twenty bytes
-    std::string text() const {
-        return " -GClkKhz=" + std::to_string(khz) + " -GBaud=" + std::to_string(baud);
-    }
+    std::string text() const { return " ClkKhz=" + std::to_string(khz) + " Baud=" + std::to_string(baud); }
 };
 /// The board's clocks and rates, and a fast one for tests of packets.
 const Rate rates[] = {{75'000, 3'000'000}, {62'500, 3'000'000}, {50'000, 115'200}};
@@ -30,8 +28,7 @@ const Rate fast{75'000, 15'000'000};
 class UartBoard : public LinkBoard, public Channel {
 public:
     static std::string parameters(const Rate& rate) {
-        return rate.text() + " -GQuietUs=" + std::to_string(rate.quiet()) +
-               " -GConfigHash=64'hfedcba9876543210";
+        return rate.text() + " QuietUs=" + std::to_string(rate.quiet()) + " ConfigHash=64'hfedcba9876543210";
     }
 
     /// The host's clock is faster by this fraction.
@@ -152,7 +149,7 @@ TEST_CASE("the RTL of the UART builds", "[.build]") {
     for (const Rate& rate : {rates[0], rates[1], rates[2], fast}) {
         jobs.push_back({"rc_uart_rx" + rate.text(), "uart", {}});
         jobs.push_back({"rc_uart_tx" + rate.text(), "uart", {}});
-        jobs.push_back({"rc_host_link -GLineBits=10 " + UartBoard::parameters(rate), "uart", {}});
+        jobs.push_back({"rc_host_link LineBits=10 " + UartBoard::parameters(rate), "uart", {}});
     }
     build_all(jobs);
     SUCCEED("all are there");

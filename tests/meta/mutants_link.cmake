@@ -46,7 +46,7 @@ mutant(link_starts_without_a_hello FILE rtl/board/rc_link.sv TEST board "a reset
   OLD [[end else if (!session_q) begin
       judged_result = NoSession;]]
   NEW [[end else if (!session_q) begin
-      judged_result = Done;]])
+      judged_result = old_q ? NoSession : Done;]])
 mutant(link_last_line_is_beyond FILE rtl/board/rc_link.sv TEST board "the board refuses*"
   OLD [[beyond <= 32'(1 << LineBits)]]
   NEW [[beyond < 32'(1 << LineBits)]])

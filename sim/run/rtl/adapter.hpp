@@ -27,9 +27,9 @@ struct PortSpec {
     std::string path{}, module{}, valid{}, ready{}, data{};
 };
 
-/// A module may be followed by values of its parameters, in Verilator's notation and in any number:
-/// "rc_host_link -GBaud=115200". These functions return the module's name, and the words after it.
+/// A module may be given with values of its parameters: "rc_host_link Baud=115200". Returns its name alone.
 std::string module_name(const std::string& module);
+/// Returns the values: {"Baud=115200"}.
 std::vector<std::string> module_parameters(const std::string& module);
 
 /// Returns the links of a module that can be built on its own: rc_chip or a unit. Those of rc_chip include

@@ -60,6 +60,14 @@ Arguments operator+(Arguments words, const Arguments& more) {
     return words;
 }
 
+/// Returns Verilator's arguments for the top. A netlist has no parameters any more.
+Arguments top_arguments(const std::string& module, bool is_netlist) {
+    Arguments words{"--top-module", module_name(module)};
+    if (!is_netlist)
+        for (const std::string& parameter : module_parameters(module)) words.push_back("-G" + parameter);
+    return words;
+}
+
 void verilate(const fs::path& folder, const Config& config, const std::string& module, Waves waves,
               const fs::path& netlist, const std::function<void()>& meanwhile) {
     Arguments files{"gates.vlt", "netlist.v"};
@@ -70,13 +78,12 @@ void verilate(const fs::path& folder, const Config& config, const std::string& m
         write_text(folder / "gates.vlt", gates_vlt());
     }
     write_text(folder / "taps.vlt", adapter_vlt(module, config));
-    const Arguments words = Arguments{"verilator"} + verilator_flags +
-                            (netlist.empty() ? Arguments{} : netlist_verilator_flags) +
-                            (waves == Waves::yes ? wave_verilator_flags : Arguments{}) +
-                            Arguments{"--top-module", module_name(module)} + module_parameters(module) +
-                            Arguments{"--Mdir", "obj", "taps.vlt"} + files;
-    const std::string what =
-        fmt::format("verilator on {} of {}{}", module, rtl_sources().string(), replacements_text());
+    const Arguments words =
+        Arguments{"verilator"} + verilator_flags + (netlist.empty() ? Arguments{} : netlist_verilator_flags) +
+        (waves == Waves::yes ? wave_verilator_flags : Arguments{}) + top_arguments(module, !netlist.empty()) +
+        Arguments{"--Mdir", "obj", "taps.vlt"} + files;
+    const std::string what = fmt::format("verilator on {} of {}{}", module_name(module),
+                                         rtl_sources().string(), replacements_text());
     run_tools(folder, {{words, "verilator.log"}}, what, meanwhile);
     if (const std::string log = read_if_there(folder / "verilator.log");
         log.find("%Warning") != std::string::npos)
@@ -207,7 +214,7 @@ void make_library(const fs::path& folder, const Config& config, const std::strin
     const auto meanwhile = [&] {
         working("the C++ compiler", std::max(0.0, expected - compiling.seconds()));
     };
-    const std::string what = "the C++ compiler on the verilated " + module;
+    const std::string what = "the C++ compiler on the verilated " + module_name(module);
     write_text(folder / "abi.hpp", abi_text);
     if (waves == Waves::yes) write_text(folder / "wave_abi.hpp", wave_abi_text);
     const std::vector<Source> sources =
@@ -221,8 +228,7 @@ void make_library(const fs::path& folder, const Config& config, const std::strin
 
 std::string lint_library(const fs::path& folder, const Config& config, const std::string& module) {
     const Arguments files = stage_sources(folder, config);
-    Process lint({Arguments{"verilator", "--lint-only", "-Wall", "--top-module", module_name(module)} +
-                      module_parameters(module) + files,
+    Process lint({Arguments{"verilator", "--lint-only", "-Wall"} + top_arguments(module, false) + files,
                   folder, folder / "lint.log", folder});
     lint.wait("interrupted: nothing is written");
     // Newer versions of Verilator add a report in lines that begin with a dash.

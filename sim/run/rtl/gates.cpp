@@ -13,6 +13,7 @@
 #include "sim/run/gen/rc_pkg.hpp"
 #include "sim/files/cache/libraries.hpp"
 #include "sim/files/process/process.hpp"
+#include "sim/run/rtl/adapter.hpp"
 #include "sim/run/rtl/sources.hpp"
 #include "sim/files/process/tools.hpp"
 
@@ -44,7 +45,12 @@ const std::vector<std::string> modelled_by_yosys{"LUT2", "LUT4", "CCU2C", "TRELL
 /// vectors in units are split into bits. Otherwise a carry chain within one vector would look like a loop to
 /// Verilator.
 std::string script(const std::string& module) {
-    std::string text = "hierarchy -check -top " + module + "\n";
+    std::string text = "hierarchy -check -top " + module_name(module);
+    for (const std::string& parameter : module_parameters(module)) {
+        const std::size_t sign = parameter.find('=');
+        text += fmt::format(" -chparam {} {}", parameter.substr(0, sign), parameter.substr(sign + 1));
+    }
+    text += "\n";
     const std::vector<std::string> all = units();
     if (module == "rc_chip")
         text += fmt::format("setattr -mod -set keep_hierarchy 1 *rc_{}* *rc_{}*\n",
