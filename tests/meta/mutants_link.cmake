@@ -42,7 +42,7 @@ mutant(link_waits_for_ever FILE rtl/board/rc_link.sv TEST board "after any garba
 mutant(link_misses_a_mark_behind_its_first_byte FILE rtl/board/rc_link.sv TEST board "the first mark*"
   OLD [[if (takes && rx_data_i != Mark0) state_q <=]]
   NEW [[if (takes) state_q <=]])
-mutant(link_starts_without_a_hello FILE rtl/board/rc_link.sv TEST board "a reset in the middle*"
+mutant(link_starts_without_a_hello FILE rtl/board/rc_link.sv TEST board "a packet that is sent again*"
   OLD [[end else if (!session_q) begin
       judged_result = NoSession;]]
   NEW [[end else if (!session_q) begin
