@@ -16,10 +16,10 @@ module rc_baud #(
   output logic tick_o
 );
   // Bits of the phase. Step is Baud / clock with PhaseW bits of fraction, rounded to nearest.
-  localparam int unsigned    PhaseW  = 20;
-  localparam longint unsigned ClkHz  = 64'(ClkKhz) * 1000;
-  localparam longint unsigned Scaled = (64'(Baud) << PhaseW) + ClkHz / 2;
-  localparam int unsigned    Step    = 32'(Scaled / ClkHz);
+  localparam int unsigned PhaseW = 20;
+  localparam logic [63:0] ClkHz  = 64'(ClkKhz) * 1000;
+  localparam logic [63:0] Scaled = (64'(Baud) << PhaseW) + ClkHz / 2;
+  localparam int unsigned Step   = 32'(Scaled / ClkHz);
 
   if (64'(Baud) * 4 > ClkHz) begin : gen_refuse
     $error("rc_baud: a bit must last four cycles or more");

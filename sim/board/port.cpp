@@ -1,6 +1,7 @@
 // Serial ports by termios.
 #include "sim/board/port.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <utility>

@@ -2,6 +2,7 @@
 // A board of the test's own around rc_link or rc_host_link: the chip's registers, the board's registers, and
 // a memory. It keeps a list of all writes, so that a test sees what was executed, how often and in which
 // order.
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <deque>

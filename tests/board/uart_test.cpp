@@ -2,6 +2,7 @@
 // by two in a hundred, glitches, breaks, and the host's library over a line of bits.
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "tests/board/link_board.hpp"
 #include "sim/board/serial_line.hpp"

@@ -42,11 +42,11 @@ mutant(link_waits_for_ever FILE rtl/board/rc_link.sv TEST board "after any garba
 mutant(link_misses_a_mark_behind_its_first_byte FILE rtl/board/rc_link.sv TEST board "the first mark*"
   OLD [[if (takes && rx_data_i != Mark0) state_q <=]]
   NEW [[if (takes) state_q <=]])
-mutant(link_starts_without_a_hello FILE rtl/board/rc_link.sv TEST board "a reset in the middle*"
+mutant(link_starts_without_a_hello FILE rtl/board/rc_link.sv TEST board "a packet that is sent again*"
   OLD [[end else if (!session_q) begin
       judged_result = NoSession;]]
   NEW [[end else if (!session_q) begin
-      judged_result = Done;]])
+      judged_result = old_q ? NoSession : Done;]])
 mutant(link_last_line_is_beyond FILE rtl/board/rc_link.sv TEST board "the board refuses*"
   OLD [[beyond <= 32'(1 << LineBits)]]
   NEW [[beyond < 32'(1 << LineBits)]])
@@ -89,9 +89,9 @@ mutant(link_decoder_skips_a_packet FILE sim/board/protocol.cpp TEST board "every
             drop(1);]]
   NEW [[link_checksum(all.subspan(kind_at, end - kind_at))) {
             drop(end);]])
-mutant(link_half_is_searched_in_the_wrong_half FILE sim/board/link.cpp TEST board "another program finds*"
-  OLD [[(holds(good, half) ? good += half : bad = good + half);]]
-  NEW [[(holds(good, half) ? good += half : bad -= half);]])
+mutant(link_search_stops_a_line_early FILE sim/board/link.cpp TEST board "another program finds*"
+  OLD [[while (bad - good > 1)]]
+  NEW [[while (bad - good > 2)]])
 mutant(port_is_not_raw FILE sim/board/port.cpp TEST board "a terminal passes*"
   OLD [[    cfmakeraw(&settings);]]
   NEW [[]])
