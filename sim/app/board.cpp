@@ -208,13 +208,13 @@ int run_board(const BoardOptions& o) {
     if (!o.output.empty()) {
         fs::create_directories(o.output);
         const auto write = [&](const char* name, const Picture& picture) {
-            write_picture((fs::path(o.output) / name).string(), picture, {});
+            write_file((fs::path(o.output) / name).string(), png_bytes(picture));
         };
         write("model.png", picture_of(size, expected));
         write("board.png", picture_of(size, check.board.pixels));
         if (check.wrong_screen_pixels)
-            write("screen.png", picture_of({int(Screens::width), int(Screens::height)},
-                                           board->screen().picture().pixels));
+            write("screen.png",
+                  picture_of({int(Screens::width), int(Screens::height)}, board->screen().picture().pixels));
     }
     o.json.write(
         {{"cycles",

@@ -23,8 +23,8 @@ struct BoardFrame {
     std::vector<std::array<std::uint8_t, 3>> pixels;   ///< [y * width + x]: red, green, blue
 };
 
-/// A board at the other end of a link. All functions throw what BoardLink throws, and UserError if the board is
-/// not the one that is expected.
+/// A board at the other end of a link. All functions throw what BoardLink throws, and UserError if the board
+/// is not the one that is expected.
 class BoardHost {
 public:
     /// Says hello. Throws UserError if the bitstream was made from another configuration. Resets the chip.

@@ -55,7 +55,8 @@ struct BoardLink::Sent {
     std::uint64_t order = 0;   ///< number of its last transmission
 };
 
-BoardLink::BoardLink(Channel& channel, LinkSettings settings) : channel_(channel), settings_(std::move(settings)) {
+BoardLink::BoardLink(Channel& channel, LinkSettings settings)
+    : channel_(channel), settings_(std::move(settings)) {
     if (settings_.tries < 1 || settings_.window < 1 || settings_.window > link_history || settings_.baud < 1)
         throw std::logic_error("settings of the link");
     greeting_ = settings_.hello ? *settings_.hello : std::uint32_t(std::random_device{}());
@@ -69,7 +70,7 @@ void BoardLink::refuse(const LinkCommand& command, LinkReason reason) const {
 }
 
 void BoardLink::run(std::uint64_t n, const Make& make, const Answered& answered,
-               const std::function<void(std::uint64_t)>& advanced) {
+                    const std::function<void(std::uint64_t)>& advanced) {
     std::deque<Sent> flight;   // commands base, base + 1, ... in order
     std::uint64_t base = 0, orders = 0;
     std::optional<std::uint64_t> resent_from;   // a gap that is being filled
@@ -261,7 +262,7 @@ void BoardLink::read_lines(std::uint32_t first, std::span<MemoryLine> lines) {
 }
 
 void BoardLink::upload(std::uint32_t first, std::span<const MemoryLine> lines, std::uint64_t& done,
-                  const Progress& progress) {
+                       const Progress& progress) {
     const std::uint64_t from = done;
     const auto rest = lines.subspan(std::min<std::size_t>(from, lines.size()));
     run((rest.size() + link_lines_most - 1) / link_lines_most,

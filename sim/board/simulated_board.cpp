@@ -65,6 +65,8 @@ SimulatedBoard::SimulatedBoard(const Config& config, const BoardShape& shape)
     }
     rtl_.reset();
     pixel_rst_ = 1, shift_rst_ = 1;
+    rtl_.settle();
+    for (int i = 0; i < 100; ++i) step();   // the receiver sees that the line is idle
 }
 
 /// The edges of the shift clock up to the chip's next edge; every fifth is one of the pixel clock.
@@ -81,8 +83,8 @@ void SimulatedBoard::shift() {
 }
 
 void SimulatedBoard::step() {
+    // No input reaches an output within a cycle, so the outputs are valid since the last edge.
     rx_ = from_host_.level(cycle_);
-    rtl_.settle();
     if (shape_.is_lit) shift();
     to_host_.see(cycle_, tx_ != 0);
     // The SDRAM's clock is inverted: it sees the pins in the middle of the cycle.

@@ -13,8 +13,8 @@ using namespace rayclock::test;
 namespace {
 
 /// A board, a link to it and their twin, in a session.
-struct Bench {
-    explicit Bench(int seed, LinkSettings settings = ByteBoard::settings())
+struct LinkBench {
+    explicit LinkBench(int seed, LinkSettings settings = ByteBoard::settings())
         : board(seed), link(board, settings), twin(board, link, seed) {
         identity = link.hello();
     }
@@ -52,7 +52,7 @@ void abuse(int seed, std::uint64_t packets, int chance, int most_lines, int pace
     LinkSettings settings = ByteBoard::settings();
     settings.window = 1 + seed % link_history;
     settings.tries = 200;   // a packet of 16 lines often needs several
-    Bench bench(seed, settings);
+    LinkBench bench(seed, settings);
     bench.board.pace = pace;
     bench.board.memory_pause = 1 + seed % 6;
     bench.board.to_board_faults = bench.board.to_host_faults = Faults::all(chance);
@@ -77,7 +77,7 @@ TEST_CASE("the RTL of the host link builds", "[.build]") {
 }
 
 TEST_CASE("a session begins with a hello, and the board says what it is", "[link]") {
-    Bench bench(1);
+    LinkBench bench(1);
     CHECK(bench.identity.version == link_version);
     CHECK(bench.identity.config_hash == 0x9abc'def0'1234'5678u);
     CHECK(bench.identity.lines == LinkBoard::lines);
@@ -85,7 +85,7 @@ TEST_CASE("a session begins with a hello, and the board says what it is", "[link
 }
 
 TEST_CASE("registers and lines are written and read without a fault of the wires", "[link]") {
-    Bench bench(2);
+    LinkBench bench(2);
     for (int i = 0; i < 300; ++i) REQUIRE(bench.twin.act(40));
     CHECK(bench.twin.agrees());
     CHECK(bench.link.counts().repeated == 0);
@@ -95,7 +95,7 @@ TEST_CASE("registers and lines are written and read without a fault of the wires
 }
 
 TEST_CASE("the board refuses what it cannot do, and the session goes on", "[link]") {
-    Bench bench(3);
+    LinkBench bench(3);
     const auto reason = [](const auto& act) {
         try {
             act();
@@ -259,7 +259,7 @@ TEST_CASE("answers to an earlier program are not taken for answers to this one",
 
 TEST_CASE("a lost packet or answer is sent again without waiting for a timeout", "[link]") {
     const auto cycles = [](std::uint64_t byte, bool of_answer) {
-        Bench bench(51);
+        LinkBench bench(51);
         const std::vector<MemoryLine> lines = bench.twin.random_lines(320);
         if (byte > 0 && of_answer) bench.board.lose_back = bench.board.bytes_back + byte;
         if (byte > 0 && !of_answer) bench.board.lose = bench.board.bytes_sent + byte;
@@ -311,7 +311,7 @@ TEST_CASE("nothing is lost, doubled or wrong in a million packets", "[faults][sl
 }
 
 TEST_CASE("an upload goes on where a cut cable stopped it", "[link]") {
-    Bench bench(20);
+    LinkBench bench(20);
     const std::vector<MemoryLine> lines = bench.twin.random_lines(LinkBoard::lines - 5);
     std::uint64_t done = 0, seen = 0;
     const Progress progress = [&](std::string_view what, std::uint64_t now, std::uint64_t total) {
@@ -341,7 +341,7 @@ TEST_CASE("an upload goes on where a cut cable stopped it", "[link]") {
 }
 
 TEST_CASE("another program finds out by checksums how far an upload came", "[link]") {
-    Bench bench(21);
+    LinkBench bench(21);
     const std::vector<MemoryLine> lines = bench.twin.random_lines(900);
     for (const std::size_t there : {0u, 1u, 15u, 16u, 17u, 431u, 899u, 900u}) {
         std::copy(lines.begin(), lines.begin() + std::ptrdiff_t(there), bench.board.memory.begin() + 100);
@@ -358,7 +358,7 @@ TEST_CASE("another program finds out by checksums how far an upload came", "[lin
 TEST_CASE("a reset in the middle is reported, and the next session works", "[link]") {
     for (int seed = 0; seed < 20; ++seed) {
         INFO("seed " << seed);
-        Bench bench(30 + seed);
+        LinkBench bench(30 + seed);
         const std::vector<MemoryLine> lines = bench.twin.random_lines(800);
         std::uint64_t done = 0;
         const std::uint64_t at = std::uint64_t(1 + bench.board.rng.below(40));
@@ -401,7 +401,7 @@ TEST_CASE("a board that does not answer is one sentence", "[link]") {
 
 TEST_CASE("a window of packets keeps the wire busy", "[link]") {
     // With eight packets in flight an upload takes hardly more cycles than its bytes do.
-    Bench bench(50);
+    LinkBench bench(50);
     bench.board.memory_pause = 2;
     const std::vector<MemoryLine> lines = bench.twin.random_lines(1000);
     const std::uint64_t begin = bench.board.cycle;

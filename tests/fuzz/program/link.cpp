@@ -62,7 +62,7 @@ void board_link(std::string_view bytes) {
     settings.patience = LinkTime(2000);
     settings.hello = 9;
     settings.tries = 3;
-    Link link(board, settings);
+    BoardLink link(board, settings);
     std::vector<MemoryLine> lines(40);
     std::uint64_t done = 0;
     passes([&] {
