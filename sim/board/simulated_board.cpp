@@ -83,8 +83,8 @@ void SimulatedBoard::shift() {
 }
 
 void SimulatedBoard::step() {
-    // No input reaches an output within a cycle, so the outputs are valid since the last edge.
     rx_ = from_host_.level(cycle_);
+    rtl_.settle();
     if (shape_.is_lit) shift();
     to_host_.see(cycle_, tx_ != 0);
     // The SDRAM's clock is inverted: it sees the pins in the middle of the cycle.
