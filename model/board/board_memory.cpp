@@ -6,6 +6,7 @@ namespace rayclock {
 namespace {
 
 // The board of the model has the larger of the two chips that ULX3S boards carry.
+constexpr int read_delay = 1;   // as in rc_board
 const SdramPart& part_of_model() { return sdram_part("as4c32m16sb"); }
 
 }   // namespace
@@ -13,7 +14,7 @@ const SdramPart& part_of_model() { return sdram_part("as4c32m16sb"); }
 BoardMemory::BoardMemory(const Config& config, int khz)
     : part_(part_of_model()),
       shape_{.chip_khz = std::uint32_t(khz)},
-      clients_(sdram_clocks(part_, khz), config.mem_id_bits()),
+      clients_(sdram_clocks(part_, khz, read_delay), config.mem_id_bits()),
       scan_(shape_),
       colour_(config.has_shade()),
       addresses_(std::size_t(1) << config.mem_id_bits()) {

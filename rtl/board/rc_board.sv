@@ -6,7 +6,8 @@
 //
 // clk_i drives everything except the end of the video. pixel_clk_i must be PixelKhz and shift_clk_i five
 // times as fast, from the same source as clk_i. Two pictures lie at the memory's end; the host says which
-// one is drawn (draw_base) and which one is shown (base). docs/machine/board.md describes the board,
+// one is drawn (draw_base) and which one is shown (base). The SDRAM's clock is shifted by half a period;
+// its read data and the pads take longer than the other half, so ReadDelay is 1. docs/machine/board.md describes the board,
 // model/board/board_memory.hpp is the model of its timing, sim/board/board.hpp simulates it.
 `default_nettype none
 module rc_board #(
@@ -15,7 +16,7 @@ module rc_board #(
   parameter  int unsigned Baud       = 3_000_000,
   parameter  int unsigned ColumnBits = 10,          // 10: AS4C32M16SB, 9: IS42S16160G
   parameter  int unsigned InitUs     = 200,         // wait of the SDRAM after power-on
-  parameter  int unsigned ReadDelay  = 0,           // of rc_sdram
+  parameter  int unsigned ReadDelay  = 1,           // of rc_sdram; see below
   parameter  int unsigned Counters   = 1,           // the chip's unit counters
   parameter  logic [63:0] ConfigHash = '0,          // of the configuration that rc_pkg belongs to
   localparam int unsigned RowBits    = 13
