@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/run/rtl/adapter.hpp"
+#include "sim/run/rtl/sources.hpp"
 
 namespace rayclock {
 
@@ -11,5 +12,10 @@ namespace rayclock {
 /// module. Clocks and resets besides clk_i and rst_ni are ports that the user drives. A port that exists in
 /// both directions is called <name> as an input and <name>_out as an output.
 std::vector<PortSpec> board_ports(const std::string& module);
+
+/// Returns the sources that a module needs, which may be named with parameters.
+inline RtlScope scope_of(const std::string& module) {
+    return board_ports(module_name(module)).empty() ? RtlScope::chip : RtlScope::board;
+}
 
 }   // namespace rayclock

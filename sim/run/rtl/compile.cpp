@@ -71,7 +71,7 @@ void verilate(const fs::path& folder, const Config& config, const std::string& m
               const fs::path& netlist, const std::function<void()>& meanwhile) {
     Arguments files{"gates.vlt", "netlist.v"};
     if (netlist.empty()) {
-        files = stage_sources(folder, config);
+        files = stage_sources(folder, config, module);
     } else {
         fs::copy_file(netlist, folder / "netlist.v");
         write_text(folder / "gates.vlt", gates_vlt());
@@ -179,7 +179,7 @@ std::string build_inputs(const Config& config, const std::string& module, Waves 
     };
     add({top_module(module), verilator_flags, compiler_flags(), start_flags});
     if (form == Form::rtl) {
-        all += source_inputs();
+        all += source_inputs(module);
     } else {
         all += gates_inputs(config, module) + gates_vlt();
         add({netlist_verilator_flags, netlist_compiler_flags});
@@ -227,7 +227,7 @@ void make_library(const fs::path& folder, const Config& config, const std::strin
 }
 
 std::string lint_library(const fs::path& folder, const Config& config, const std::string& module) {
-    const Arguments files = stage_sources(folder, config);
+    const Arguments files = stage_sources(folder, config, module);
     Process lint({Arguments{"verilator", "--lint-only", "-Wall"} + top_module(module) + files, folder,
                   folder / "lint.log", folder});
     lint.wait("interrupted: nothing is written");

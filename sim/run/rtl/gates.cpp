@@ -95,7 +95,7 @@ const std::string& gates_tool() {
 }
 
 std::string gates_inputs(const Config& config, const std::string& module) {
-    std::string all = rc_package(config) + source_inputs() + script(module) + own_cells();
+    std::string all = rc_package(config) + source_inputs(module) + script(module) + own_cells();
     for (const std::string& name : modelled_by_yosys) all += " " + name;
     return all;
 }
@@ -105,7 +105,7 @@ void make_gates(const fs::path& folder, const Config& config, const std::string&
     std::string commands =
         "tee -q -o cells.log read_verilog -lib -ppdump +/ecp5/cells_sim.v\n"
         "read_verilog -lib +/ecp5/cells_bb.v\n";
-    for (const std::string& file : stage_sources(folder, config))
+    for (const std::string& file : stage_sources(folder, config, module))
         if (fs::path(file).extension() == ".sv")
             commands += fmt::format("read_verilog -sv -D RC_ECP5 {}{}\n",
                                     file == "rtl/rc_pkg.sv" ? "" : "-defer ", file);

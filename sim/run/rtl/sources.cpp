@@ -159,8 +159,10 @@ std::string replacements_text() {
 
 void restore_modules() { replacements().clear(); }
 
-std::vector<RtlText> rtl_texts() {
+std::vector<RtlText> rtl_texts(RtlScope scope) {
     std::vector<fs::path> files = rtl_files();
+    if (scope == RtlScope::chip)
+        std::erase_if(files, [](const fs::path& f) { return f.parent_path() == rtl_sources() / "board"; });
     files.insert(files.begin(), rtl_sources() / "lint.vlt");
     std::vector<RtlText> texts;
     std::set<std::string> taken{"rc_pkg.sv"};

@@ -36,8 +36,12 @@ void restore_modules();
 struct RtlText {
     std::string name, text;
 };
+/// Which sources a build needs: those of the chip, or also those of the board around it (rtl/board). So a
+/// change of the board builds no chip again.
+enum class RtlScope { chip, board };
+
 /// Returns the texts of lint.vlt, which holds the waivers, and of rtl_files(). Verilator does not warn about
 /// replaced modules. Throws UserError.
-std::vector<RtlText> rtl_texts();
+std::vector<RtlText> rtl_texts(RtlScope scope = RtlScope::chip);
 
 }   // namespace rayclock

@@ -16,6 +16,7 @@
 #include "sim/files/cache/libraries.hpp"
 #include "sim/files/process/interrupt.hpp"
 #include "sim/files/process/process.hpp"
+#include "sim/run/rtl/board_ports.hpp"
 #include "sim/run/rtl/sources.hpp"
 
 namespace rayclock {
@@ -49,15 +50,16 @@ std::string added_flags() {
     return added ? added : "";
 }
 
-std::string source_inputs() {
+std::string source_inputs(const std::string& module) {
     std::string all;
-    for (const RtlText& source : rtl_texts()) all += "\n" + source.name + "\n" + source.text;
+    for (const RtlText& source : rtl_texts(scope_of(module))) all += "\n" + source.name + "\n" + source.text;
     return all;
 }
 
-std::vector<std::string> stage_sources(const fs::path& folder, const Config& config) {
+std::vector<std::string> stage_sources(const fs::path& folder, const Config& config,
+                                       const std::string& module) {
     std::vector<std::string> files;
-    for (const RtlText& source : rtl_texts()) {
+    for (const RtlText& source : rtl_texts(scope_of(module))) {
         const fs::path copy = folder / "rtl" / source.name;
         std::error_code ignored;   // write_text() reports the error
         fs::create_directories(copy.parent_path(), ignored);

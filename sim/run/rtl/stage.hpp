@@ -18,12 +18,14 @@ using Working = std::function<void(const char* stage, std::optional<double> left
 /// Returns the options in RAYCLOCK_CXXFLAGS.
 std::string added_flags();
 
-/// Returns the sources and waivers, but not the package, as one text.
-std::string source_inputs();
+/// Returns the sources of a module and the waivers, but not the package, as one text.
+std::string source_inputs(const std::string& module);
 
-/// Copies the sources to a folder in which tools run, under names that all tools can handle. So tools see no
-/// path of the user. Returns the names there: the waivers, the package, all others. Throws UserError.
-std::vector<std::string> stage_sources(const std::filesystem::path& folder, const Config& config);
+/// Copies the sources of a module to a folder in which tools run, under names that all tools can handle. So
+/// tools see no path of the user. Returns the names there: the waivers, the package, all others. Throws
+/// UserError.
+std::vector<std::string> stage_sources(const std::filesystem::path& folder, const Config& config,
+                                       const std::string& module);
 
 /// Runs commands at the same time in a folder, each with its output in a log there. If one fails, ends all
 /// others and throws UserError with the tool's message after `what`, or with the cause if it is known. Throws
