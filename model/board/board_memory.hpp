@@ -25,12 +25,12 @@ struct Screens {
     }
 };
 
-/// The part of the board that the chip's memory port and its pixels meet. It holds ids, addresses and places,
-/// no data. Mirror of rtl/board/rc_board.sv without host link, video and chip.
+/// The part of the board behind the chip's memory port and pixel port. It holds ids, addresses and places, no
+/// data. Mirror of rtl/board/rc_board.sv without host link, video and chip.
 ///
 /// A frame starts at the beginning of the screen's vertical blank: rc_board holds the host's write to `start`
-/// until then, and begins a refresh in the same cycle. So a frame takes the same number of cycles whatever
-/// happened before. start() brings the model to the frame's cycle 0.
+/// until then, and begins a refresh 100 pixel clocks before it. So the number of a frame's cycles does not
+/// depend on earlier events. start() brings the model to the frame's cycle 0.
 class BoardMemory {
 public:
     using Place = PixelWriter::Place;

@@ -14,7 +14,7 @@ struct ScreenTiming {
 /// each.
 struct ShownPicture {
     std::uint32_t base = 0;                ///< number of its first line
-    std::uint32_t width = 0, height = 0;   ///< pixels, 16 bits each
+    std::uint32_t width = 0, height = 0;   ///< in pixels, below 2^16
     bool doubled = false;                  ///< each pixel is shown as 2x2
 
     std::uint32_t blocks_across() const { return (width + 3) / 4; }
@@ -78,8 +78,8 @@ public:
     std::uint32_t underruns() const { return underruns_; }
     void clock(const Inputs& in);
 
-    /// Cycles in which nothing is requested, taken over or counted, whatever the inputs. 0 while a request or
-    /// an answer is under way.
+    /// Cycles in which no input causes a request, a takeover or a count. 0 while a request or an answer is in
+    /// flight.
     std::uint64_t quiet() const;
     /// Has the effect of that many calls of clock(), at most quiet().
     void skip(std::uint64_t cycles);

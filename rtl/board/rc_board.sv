@@ -4,11 +4,15 @@
 //       |                            |                          |
 //       +-------------- board memory (arbiter, SDRAM controller) ------- scan-out --- video
 //
-// clk_i drives everything except the end of the video. pixel_clk_i must be PixelKhz and shift_clk_i five
-// times as fast, from the same source as clk_i. Two pictures lie at the memory's end; the host says which
-// one is drawn (draw_base) and which one is shown (base). The SDRAM's clock is shifted by half a period;
-// its read data and the pads take longer than the other half, so ReadDelay is 1. docs/machine/board.md describes the board,
-// model/board/board_memory.hpp is the model of its timing, sim/board/board.hpp simulates it.
+// clk_i drives everything except the end of the video. pixel_clk_i must have PixelKhz, and shift_clk_i
+// five times its frequency, both from the same source as clk_i. Two pictures lie at the memory's end. The
+// host selects the one to draw (draw_base) and the one to show (base).
+//
+// The SDRAM's clock is clk_i shifted by half a period. Read data need more than the other half to reach
+// the input registers, so ReadDelay is 1.
+//
+// docs/machine/board.md describes the board, model/board/board_memory.hpp is the model of its timing,
+// sim/board/simulated_board.hpp simulates it, and rtl/ecp5/rc_ulx3s.v adds PLL and pins.
 `default_nettype none
 module rc_board #(
   parameter  int unsigned ClkKhz     = 75_000,
@@ -16,7 +20,7 @@ module rc_board #(
   parameter  int unsigned Baud       = 3_000_000,
   parameter  int unsigned ColumnBits = 10,          // 10: AS4C32M16SB, 9: IS42S16160G
   parameter  int unsigned InitUs     = 200,         // wait of the SDRAM after power-on
-  parameter  int unsigned ReadDelay  = 1,           // of rc_sdram; see below
+  parameter  int unsigned ReadDelay  = 1,           // of rc_sdram; see above
   parameter  int unsigned Counters   = 1,           // the chip's unit counters
   parameter  logic [63:0] ConfigHash = '0,          // of the configuration that rc_pkg belongs to
   localparam int unsigned RowBits    = 13

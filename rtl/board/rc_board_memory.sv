@@ -5,9 +5,10 @@
 //   host:   reads and writes of the host link
 //
 // Priority: scan if it is urgent; then chip and pixels in turn; then scan; then host. After
-// HostCap accepted requests of other clients, a waiting request of host is the next of all.
-// Without a competitor each client gets every place. A client's ready does not depend on its own
-// valid, and a request passes to rc_sdram in the cycle in which it is accepted.
+// HostCap accepted requests of other clients, a waiting request of host goes first. No cycle is
+// reserved: a client without competitors is served whenever the controller is free. A client's
+// ready does not depend on its own valid. A request passes to rc_sdram in the cycle in which it is
+// accepted.
 //
 // The answer to chip is valid for one cycle, the one after the line's last beat. A client of
 // writes presents the data of its oldest request and shifts them with `next`. The parameters are

@@ -2,15 +2,15 @@
 // the board's registers and to lines of memory, and one answer for each packet.
 // docs/machine/board-link.md describes the packets; sim/board/protocol.hpp mirrors the constants.
 //
-// A packet is executed after its checksum is found right, and before the next one is read:
+// The module executes a packet after checking its checksum, and before it reads the next one:
 // - A packet with a wrong checksum is dropped without an answer. So is a partial packet when no
 //   byte comes for QuietCycles cycles. bad_o is high for one cycle each time.
 // - A packet with the expected sequence number is executed, once. Its result is kept.
 // - A packet with one of the sixteen numbers before it was executed earlier. Its kept result is
 //   sent again. Lines of memory are read again, which changes nothing.
 // - Any other number is refused with the reason "gap" and the expected number.
-// - "hello" is executed whatever its number is, and sets the expected number. Before the first
-//   one, all other packets are refused.
+// - "hello" is executed with any number, and sets the expected number. Before the first "hello"
+//   all other packets are refused.
 //
 // One state machine receives, executes and answers, so the bytes of the next packet wait in a FIFO
 // meanwhile (rc_byte_fifo). The memory must take or give 32 beats for every request that it
@@ -107,7 +107,7 @@ module rc_link #(
   logic [WordW-1:0]    word_q;       // place in the buffer of the next beat from or to memory
   logic [ByteW-1:0]    at_q;         // place in the buffer of the next byte of the packet
   logic [QuietW-1:0]   quiet_q;      // cycles since the last byte
-  logic [BusW-1:0]     bus_q;        // cycles since the bus was asked
+  logic [BusW-1:0]     bus_q;        // cycles since the bus access began
   logic [63:0]         out_q;        // head of the answer, the next byte lowest
 
   // ---- Fields of the head.

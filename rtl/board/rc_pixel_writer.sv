@@ -93,8 +93,8 @@ module rc_pixel_writer #(
     for (int i = 0; i < Buffers; i++) if (found_q[i]) entered_index = 2'(i);
   end
 
-  // ---- The buffer to write next: the oldest of the full ones, or of all. What it depends on
-  // comes from registers: a buffer has been full, and a pixel has waited, for a cycle.
+  // ---- The buffer to write next: the oldest of the full ones, or of all. Its inputs are
+  // registers: a buffer has been full, and a pixel has waited, for a cycle.
   typedef enum logic [2:0] {StIdle, StRead, StMultiply, StAdd, StRequest, StBeats} state_e;
   state_e             state_q;
   logic [Buffers-1:0] full_q, candidates, oldest;

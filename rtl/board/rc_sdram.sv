@@ -13,9 +13,12 @@
 // Timing. A command that is decided in cycle d is on the pins in cycle d + 1. Write data are taken
 // in the cycle of the decision and in the seven that follow. Read data are captured at the end of
 // cycle d + Cl + ReadDelay and are on rd_data_o one cycle later. The comparison of a request's row
-// with the open row of its bank takes a cycle; a stream of requests hides it. With the clock of
-// the SDRAM inverted, ReadDelay is 0; with that clock in phase it is 1. The gates are in ps, and
-// the module computes clocks from them, rounded up. model/board/sdram.hpp is the model.
+// with the open row of its bank takes a cycle; a stream of requests hides it. The gates are in
+// ps, and the module computes clocks from them, rounded up. model/board/sdram.hpp is the model.
+//
+// ReadDelay is the number of clocks by which read data reach the input registers late. It is 0 if
+// the SDRAM's clock is inverted and its data arrive within the rest of the period. It is 1 if they
+// need a period more, or if the SDRAM's clock is in phase.
 `default_nettype none
 module rc_sdram #(
   parameter  int unsigned ClkKhz     = 75_000,

@@ -3,7 +3,7 @@
 //
 // The shift clock is five times as fast as the pixel clock, with a constant phase. tmds_o holds a
 // pair of bits for each of blue, green, red and the clock, blue in the lowest two bits. The lower
-// bit of a pair is sent first. The board's top connects them to its output cells. All three
+// bit of a pair is sent first. rtl/ecp5/rc_ulx3s.v connects them to output cells. All three
 // resets must be active together. While the queue starts, the screen is in the blank with
 // inactive syncs.
 `default_nettype none

@@ -1,4 +1,4 @@
-// rayclock board: a frame on a board, or on a simulated one, beside the model's.
+// rayclock board: draws a frame on a real or simulated board, and compares it with the model's.
 #include <filesystem>
 #include <memory>
 
@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* simulated = "simulated";
 constexpr int port_baud = 3'000'000;
-/// The wire of a simulated board is five times as fast, because each cycle costs time.
+/// The simulated wire has five times the rate, because each simulated cycle takes host time.
 constexpr int simulated_baud = 15'000'000;
 
 struct BoardOptions {
@@ -106,7 +106,7 @@ std::uint64_t differences(const std::vector<Bytes>& a, const std::vector<Bytes>&
     return count;
 }
 
-/// What was compared.
+/// The results of the comparison.
 struct BoardCheck {
     FrameResult model;
     BoardFrame board;
@@ -123,7 +123,7 @@ struct BoardCheck {
     }
 };
 
-/// The memory's account is the model's own: the board does not count it.
+/// The board does not count the memory's cycles, so that account is not compared.
 std::string counter_sentence(const Config& config, const Accounts& model, const Accounts& board) {
     for (std::size_t u = 0; u < unit_count; ++u)
         for (std::size_t c = 0; Unit(u) != Unit::memory && is_there(Unit(u), config) && c < cause_count; ++c)

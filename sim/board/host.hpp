@@ -1,6 +1,6 @@
 #pragma once
-// The host's program for a board: loads a scene, runs frames, reads counters and pictures. It cannot tell a
-// board from a simulated one.
+// The host's program for a board: loads a scene, runs frames, reads counters and pictures. The same code
+// drives a real and a simulated board.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -23,8 +23,8 @@ struct BoardFrame {
     std::vector<std::array<std::uint8_t, 3>> pixels;   ///< [y * width + x]: red, green, blue
 };
 
-/// A board at the other end of a link. All functions throw what BoardLink throws, and UserError if the board
-/// is not the one that is expected.
+/// A board at the other end of a link. All functions throw the exceptions of BoardLink, and UserError
+/// if the board has another configuration or memory than expected.
 class BoardHost {
 public:
     /// Says hello. Throws UserError if the bitstream was made from another configuration. Resets the chip.

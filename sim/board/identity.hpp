@@ -1,5 +1,5 @@
 #pragma once
-// What tells one bitstream from another.
+// The identity of a bitstream.
 #include <cstdint>
 
 #include "model/core/config.hpp"

@@ -155,7 +155,7 @@ void BoardLink::run(std::uint64_t n, const Make& make, const Answered& answered,
         while (std::optional<LinkAnswer> answer = decoder_.next()) take(*answer);
         if (channel_.now() < deadline || base == n) continue;
 
-        // Silence. What looked like the beginning of a packet is discarded, and perhaps there is one in it.
+        // Silence: discard the apparent beginning of a packet. A whole packet may follow in its bytes.
         decoder_.give_up();
         if (std::optional<LinkAnswer> answer = decoder_.next()) {
             take(*answer);
@@ -208,7 +208,7 @@ void BoardLink::greet() {
                 return;
             }
         }
-        decoder_.give_up();   // an answer may hide behind the beginning of a packet that does not go on
+        decoder_.give_up();   // an answer may follow the beginning of an incomplete packet
     }
     throw LinkLost(
         fmt::format("{}: no rayclock board answers; is it plugged in, loaded with a bitstream of "

@@ -15,7 +15,7 @@
 
 namespace rayclock {
 
-/// The board does not answer any more, or its port is gone. What was acknowledged before stays done.
+/// The board stopped answering, or its port is gone. Acknowledged commands stay executed.
 class LinkLost : public UserError {
 public:
     using UserError::UserError;
@@ -34,7 +34,7 @@ public:
 
 using LinkTime = std::chrono::microseconds;
 
-/// Bytes to and from a board, and the time. sim/board/port.hpp has the one of a real port.
+/// Bytes to and from a board, and the time. Port (sim/board/port.hpp) is the channel of a real board.
 class Channel {
 public:
     virtual ~Channel() = default;
@@ -45,35 +45,35 @@ public:
     /// neither is possible, waits until one is, but not longer than `most`. Throws LinkLost if the port is
     /// gone.
     virtual Moved exchange(std::span<const std::uint8_t> out, std::span<std::uint8_t> in, LinkTime most) = 0;
-    virtual LinkTime now() = 0;   ///< since any moment
+    virtual LinkTime now() = 0;   ///< since an arbitrary moment
 };
 
-/// How long a link waits, and how much it sends ahead.
+/// Timeouts and window of a link.
 struct LinkSettings {
     std::string name = "the port";   ///< of the port, for messages
     std::uint32_t baud = 3'000'000;
     /// Time for an answer, in addition to the time of all bytes in flight. It must be longer than the silence
     /// after which the board discards a partial packet (20 ms).
     LinkTime patience{250'000};
-    /// Time in which the board reads a line for check_lines(), at most: some hundred cycles.
+    /// Longest time that the board needs to read a line for check_lines(): some hundred cycles.
     LinkTime line{4};
     int tries = 8;    ///< times that a packet is sent without any answer, before the board counts as lost
     int window = 8;   ///< packets in flight, at most link_history
     std::optional<std::uint32_t> hello{};   ///< number of the first hello; none: a random one
 };
 
-/// What a board says about itself.
+/// The identity that a board reports.
 struct BoardIdentity {
     std::uint32_t version = 0;       ///< of packets and board registers
     std::uint64_t config_hash = 0;   ///< of the configuration of its bitstream
     std::uint64_t lines = 0;         ///< of memory
 };
 
-/// A link to a board. Every function waits until the board has done everything, in order and once. All throw
-/// LinkLost, BoardReset and LinkRefused.
+/// A link to a board. Every function returns after the board has executed its commands, in order and each of
+/// them once. All throw LinkLost, BoardReset and LinkRefused.
 class BoardLink {
 public:
-    /// Throws std::logic_error if the settings make no sense.
+    /// Throws std::logic_error if a setting is outside its range.
     explicit BoardLink(Channel& channel, LinkSettings settings = {});
 
     /// Begins a session, which must precede everything else, and again after BoardReset. Throws UserError if

@@ -21,7 +21,7 @@ constexpr int link_history = 16;   ///< packets whose results the board keeps: t
 constexpr std::size_t link_overhead = 2 + 8 + 4;
 constexpr std::size_t link_packet_most = link_overhead + link_lines_most * sizeof(MemoryLine);
 
-/// What a packet asks for. An answer adds 0x80, a refusal 0xc0.
+/// The command of a packet. An answer adds 0x80, a refusal 0xc0.
 enum class LinkKind : std::uint8_t {
     hello = 1,        ///< address: any number, which the answer repeats
     write_register,   ///< a payload of four bytes, the low byte first
@@ -30,7 +30,7 @@ enum class LinkKind : std::uint8_t {
     read_lines,       ///< count: 1 to 16 lines, which are the payload of the answer
     check_lines,      ///< count: 1 to 65535 lines; value of the answer: their CRC-32
 };
-/// Why the board refuses a packet, which then has no effect. `done` is no refusal.
+/// The reason of a refusal. A refused packet has no effect. `done`: the packet was executed.
 enum class LinkReason : std::uint8_t {
     done,
     no_session,    ///< there was no hello since the board's reset
@@ -41,7 +41,7 @@ enum class LinkReason : std::uint8_t {
     bus_silence,   ///< the chip does not answer: it is held in reset
 };
 
-/// Whose registers a register access means: bit 31 of the address.
+/// The owner of a register: bit 31 of the address.
 enum class RegisterSpace : std::uint32_t { chip = 0, board = 0x8000'0000u };
 
 /// The board's own registers, by number.
@@ -95,7 +95,7 @@ public:
     void push(std::span<const std::uint8_t> bytes);
     /// Returns the next sound answer, or nothing if its bytes have not all arrived.
     std::optional<LinkAnswer> next();
-    /// Discards the beginning of a packet that does not go on. Call it after a silence, and then next().
+    /// Discards the beginning of an incomplete packet. Call it after a silence, and then next().
     void give_up();
     std::uint64_t discarded() const { return discarded_; }   ///< bytes so far
 

@@ -45,7 +45,7 @@ public:
     /// The number of whole frames since the first vertical sync, and the last of them.
     std::uint64_t frames() const { return frames_; }
     const ScreenPicture& picture() const { return picture_; }
-    /// What was wrong, a sentence each: the first twenty. Empty if all was right.
+    /// The first twenty faults, one sentence each.
     const std::vector<std::string>& errors() const { return errors_; }
     /// The largest |ones - zeros| that a channel had sent between two blanks.
     int largest_disparity() const { return largest_disparity_; }

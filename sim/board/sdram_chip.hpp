@@ -57,7 +57,7 @@ public:
     /// One rising edge of the chip's clock.
     void clock(const SdramChipPins& pins);
 
-    /// What the chip drives on DQ from the last edge until the next, as two bytes; std::nullopt: nothing.
+    /// The two bytes that the chip drives on DQ from the last edge until the next; std::nullopt: not driven.
     /// A masked byte is not driven, and reads as 0xff.
     std::optional<std::uint16_t> dq() const { return driven_; }
 

@@ -87,8 +87,8 @@ void SimulatedBoard::step() {
     rtl_.settle();
     if (shape_.is_lit) shift();
     to_host_.see(cycle_, tx_ != 0);
-    // The SDRAM's clock is inverted: it sees the pins in the middle of the cycle. What it drives from there
-    // takes longer than the rest of the cycle to the chip's input.
+    // The SDRAM's clock is inverted: it samples the pins in the middle of the cycle. Its data reach the input
+    // registers in the next cycle.
     dq_in_ = sdram_.dq().value_or(std::uint16_t(0xdead));
     sdram_.clock({cke_ != 0, cs_ != 0, ras_ != 0, cas_ != 0, we_ != 0, std::uint32_t(ba_), std::uint32_t(a_),
                   std::uint32_t(dqm_), dq_oe_ != 0, std::uint16_t(dq_out_)});

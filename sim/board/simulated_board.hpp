@@ -14,7 +14,7 @@
 
 namespace rayclock {
 
-/// What the simulated board is made of.
+/// Parameters of the simulated board.
 struct BoardShape {
     int khz = 75'000;   ///< clock of the chip and of the SDRAM
     std::uint32_t baud = 3'000'000;
@@ -24,8 +24,8 @@ struct BoardShape {
     int seed = 1;                ///< of registers without a reset
 };
 
-/// rtl/board/rc_board.sv from pin to pin. The host's end of the UART is the channel, whose time is that of
-/// the simulation. The board is switched on by the constructor.
+/// rtl/board/rc_board.sv from pin to pin. The host's end of the UART is the channel, whose time is
+/// the simulation's. The board is switched on by the constructor.
 class SimulatedBoard : public Channel {
 public:
     /// Builds the RTL if necessary. Throws UserError if the board cannot have this chip.
@@ -45,7 +45,7 @@ public:
     const SdramChip& sdram() const { return sdram_; }
     const Screen& screen() const { return screen_; }
     const TmdsReceiver& receiver() const { return receiver_; }
-    /// The wires of the UART with their bytes on the way: from the host, to the host.
+    /// The two wires of the UART, with the bytes that they carry.
     SerialSender& from_host() { return from_host_; }
     SerialReceiver& to_host() { return to_host_; }
 
