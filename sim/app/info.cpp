@@ -53,7 +53,7 @@ int list_scenes(const SceneListOptions& o) {
 void declare_config(Parser& parser, ConfigChoice& config) {
     parser
         .option("NAME", config.name,
-                "default, small, wide, saarcor, rpu, ulx3s, ulx3s-shaded, or a JSON file")
+                "default, small, wide, saarcor, rpu, ulx3s, ulx3s-shaded, ulx3s-board, or a JSON file")
         .with_default();
     parser.option("--set", config.set,
                   "key=value: change one parameter of the configuration; may be repeated");

@@ -35,9 +35,9 @@ void threads_option(Parser& parser, int& threads) {
 
 void config_options(Parser& parser, ConfigChoice& config) {
     parser
-        .option(
-            "--config", config.name,
-            "hardware configuration: default, small, wide, saarcor, rpu, ulx3s, ulx3s-shaded, or a JSON file")
+        .option("--config", config.name,
+                "hardware configuration: default, small, wide, saarcor, rpu, ulx3s, ulx3s-shaded, "
+                "ulx3s-board, or a JSON file")
         .with_default();
     parser.option("--set", config.set,
                   "key=value: change one parameter of the configuration; may be repeated");
