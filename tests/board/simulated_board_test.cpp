@@ -4,6 +4,7 @@
 #include "sim/board/host.hpp"
 #include "sim/board/simulated_board.hpp"
 #include "sim/files/image/srgb.hpp"
+#include "sim/run/frame/frame.hpp"
 #include "sim/run/request/request.hpp"
 
 namespace rayclock::test::simulated_board_test {
