@@ -165,23 +165,23 @@ TEST_CASE("the rtl of the simulated board is built", "[.build]") {
     SUCCEED("both are there");
 }
 
-TEST_CASE("two frames of a shading chip on the board are the model's", "[board]") {
+TEST_CASE("two frames of a shading chip on the board are the model's", "[simulated]") {
     require_equal_frames({}, 2);
 }
 
-TEST_CASE("a frame of a camera's chip on the board is the model's, up to the screen", "[board]") {
+TEST_CASE("a frame of a camera's chip on the board is the model's, up to the screen", "[simulated]") {
     require_equal_frames({.config = camera_chip(), .is_lit = true, .depth = 0}, 1);
 }
 
-TEST_CASE("the smaller SDRAM has the rows of its model", "[board][slow]") {
+TEST_CASE("the smaller SDRAM has the rows of its model", "[simulated][slow]") {
     require_equal_frames({.khz = 62'500, .sdram = "is42s16160g", .is_lit = true}, 1);
 }
 
-TEST_CASE("the SDRAM's longer latency above 100 MHz is the model's", "[board][slow]") {
+TEST_CASE("the SDRAM's longer latency above 100 MHz is the model's", "[simulated][slow]") {
     require_equal_frames({.khz = 125'000}, 1);
 }
 
-TEST_CASE("a frame that waits for memory is the model's", "[board][slow]") {
+TEST_CASE("a frame that waits for memory is the model's", "[simulated][slow]") {
     const std::vector<std::string> tiny{"node_sets=4", "node_ways=1", "prim_sets=4", "prim_ways=1"};
     require_equal_frames({.config = {"ulx3s-board", tiny}, .size = {40, 30}, .khz = 75'000}, 2);
     ConfigChoice kd = camera_chip();
@@ -190,7 +190,7 @@ TEST_CASE("a frame that waits for memory is the model's", "[board][slow]") {
     require_equal_frames({.config = kd, .size = {40, 30}, .khz = 75'000, .depth = 0}, 1);
 }
 
-TEST_CASE("two levels and a larger picture are the model's", "[board][slow]") {
+TEST_CASE("two levels and a larger picture are the model's", "[simulated][slow]") {
     ConfigChoice levels = camera_chip();
     levels.set.push_back("levels=2");
     require_equal_frames({.config = levels, .scene = "gears:2", .khz = 75'000, .depth = 0}, 1);

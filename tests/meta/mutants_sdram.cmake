@@ -16,8 +16,8 @@ mutant(sdram_refreshes_within_trp FILE rtl/board/rc_sdram.sv TEST board "[sdram]
   NEW [[assign refreshes  = stops && open_q == '0;]])
 mutant(sdram_refreshes_a_clock_late FILE rtl/board/rc_sdram.sv TEST board
   "an idle SDRAM controller refreshes every row in 64 ms"
-  OLD [[refi_q <= refi_q == '0 ? RefiW'(Refi - 1) : refi_q - 1'b1;]]
-  NEW [[refi_q <= refi_q == '0 ? RefiW'(Refi) : refi_q - 1'b1;]])
+  OLD [[|| refi_q == '0 ? RefiW'(Refi - 1) : refi_q - 1'b1;]]
+  NEW [[|| refi_q == '0 ? RefiW'(Refi) : refi_q - 1'b1;]])
 mutant(sdram_precharges_within_twr FILE rtl/board/rc_sdram.sv TEST board "[sdram][lockstep]"
   OLD [[PreW'(cur_write_q ? Burst + Wr - 2 : Burst - 1)]]
   NEW [[PreW'(cur_write_q ? Burst + Wr - 3 : Burst - 1)]])
@@ -69,8 +69,8 @@ mutant(memory_answers_with_every_burst FILE rtl/board/rc_board_memory.sv TEST bo
 
 # ---- The models.
 mutant(sdram_model_refreshes_late FILE model/board/sdram.cpp TEST board "[sdram][lockstep]"
-  OLD [[refi_ = refi_ == 0 ? clocks_.refi - 1]]
-  NEW [[refi_ = refi_ == 0 ? clocks_.refi]])
+  OLD [[refi_ == 0 ? clocks_.refi - 1]]
+  NEW [[refi_ == 0 ? clocks_.refi]])
 mutant(sdram_model_keeps_rows_longer FILE model/board/sdram.cpp TEST board "[sdram][lockstep]"
   OLD [[bank.precharge = burst - 1;]]
   NEW [[bank.precharge = burst;]])
