@@ -1,18 +1,22 @@
 // A cycle of the board's memory.
 #include "model/board/board_memory.hpp"
 
+#include "model/base/error.hpp"
+
 namespace rayclock {
 
-namespace {
-
-// The board of the model has the larger of the two chips that ULX3S boards carry.
 constexpr int read_delay = 1;   // as in rc_board
-const SdramPart& part_of_model() { return sdram_part("as4c32m16sb"); }
 
-}   // namespace
+void check_board_clock(const Config& config, int khz) {
+    if (!config.is_board()) return;
+    if (khz < ScreenTiming::khz)
+        throw UserError("dram=board needs a clock of at least " + std::to_string(ScreenTiming::khz / 1000) +
+                        " MHz, that of the screen's pixels");
+    check_sdram_clock(sdram_part(config.board_sdram), khz);
+}
 
 BoardMemory::BoardMemory(const Config& config, int khz)
-    : part_(part_of_model()),
+    : part_((check_board_clock(config, khz), sdram_part(config.board_sdram))),
       shape_{.chip_khz = std::uint32_t(khz)},
       clients_(sdram_clocks(part_, khz, read_delay), config.mem_id_bits()),
       scan_(shape_),

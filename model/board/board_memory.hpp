@@ -25,6 +25,9 @@ struct Screens {
     }
 };
 
+/// Throws UserError if the configuration has the board's memory and the board does not allow this clock.
+void check_board_clock(const Config& config, int khz);
+
 /// The part of the board behind the chip's memory port and pixel port. It holds ids, addresses and places, no
 /// data. Mirror of rtl/board/rc_board.sv without host link, video and chip.
 ///
@@ -39,6 +42,7 @@ public:
     /// the register `start`, and the chip's preparation.
     static constexpr int start_cycles = 20;
 
+    /// Throws UserError if the board does not allow this clock.
     BoardMemory(const Config& config, int khz);
 
     /// Brings the board to cycle 0 of a frame with this picture, while the screen shows a picture of the same

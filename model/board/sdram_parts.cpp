@@ -2,7 +2,10 @@
 #include "model/board/sdram_parts.hpp"
 
 #include <algorithm>
-#include <stdexcept>
+
+#include "model/base/error.hpp"
+#include "model/base/nearest.hpp"
+#include "model/base/quote.hpp"
 
 namespace rayclock {
 
@@ -66,19 +69,32 @@ const std::vector<SdramPart>& sdram_parts() {
 const SdramPart& sdram_part(const std::string& name) {
     for (const SdramPart& part : sdram_parts())
         if (part.name == name) return part;
-    throw std::logic_error("no SDRAM is called " + name);
+    std::vector<std::string> names;
+    for (const SdramPart& part : sdram_parts()) names.push_back(part.name);
+    throw UserError("no SDRAM is called " + shown(name) + did_you_mean(name, names));
 }
 
 namespace {
 
+/// "75", "62.5": kHz in MHz.
+std::string mhz_text(int khz) {
+    std::string text = std::to_string(khz / 1000) + "." + std::to_string(1000 + khz % 1000).substr(1);
+    while (text.back() == '0') text.pop_back();
+    if (text.back() == '.') text.pop_back();
+    return text;
+}
+
 int cas_latency(const SdramPart& part, int khz) {
     const std::int64_t period = 1'000'000'000 / khz;
     if (period < part.tck_cl3)
-        throw std::logic_error(part.name + " does not allow a clock of " + std::to_string(khz) + " kHz");
+        throw UserError("the SDRAM " + part.name + " allows a clock of at most " +
+                        mhz_text(int(1'000'000'000 / part.tck_cl3)) + " MHz, not " + mhz_text(khz));
     return period >= part.tck_cl2 ? 2 : 3;
 }
 
 }   // namespace
+
+void check_sdram_clock(const SdramPart& part, int khz) { cas_latency(part, khz); }
 
 SdramClocks sdram_clocks(const SdramPart& part, int khz, int read_delay) {
     const std::int64_t giga = 1'000'000'000, shorter = giga / khz, longer = (giga + khz - 1) / khz;

@@ -29,7 +29,7 @@ struct SdramPart {
     int line_bits() const { return row_bits + 2 + column_bits - 5; }   ///< of a line's number
 };
 
-/// Returns the chip called `name`; throws std::logic_error for an unknown name. sdram_parts() lists all.
+/// Returns the chip called `name`; throws UserError for an unknown name. sdram_parts() lists all.
 const SdramPart& sdram_part(const std::string& name);
 const std::vector<SdramPart>& sdram_parts();
 
@@ -46,8 +46,10 @@ struct SdramClocks {
                           ///< inverted
 };
 /// Returns the clocks of a controller at `khz`, with the smallest CAS latency that the chip allows. Throws
-/// std::logic_error if the chip does not allow this clock.
+/// UserError if the chip does not allow this clock.
 SdramClocks sdram_clocks(const SdramPart& part, int khz, int read_delay = 0);
+/// Throws UserError if the chip does not allow this clock.
+void check_sdram_clock(const SdramPart& part, int khz);
 
 /// Returns the parameters of rc_sdram and rc_board_memory for this chip, as "Name=value" with blanks between.
 std::string sdram_parameters(const SdramPart& part, int khz, int read_delay = 0);

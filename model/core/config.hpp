@@ -75,6 +75,7 @@ struct Config {
     std::string name = "default";
 
     std::shared_ptr<const DramPart> own_dram;   ///< a memory from a file; `dram` is ignored then
+    std::string board_sdram = "as4c32m16sb";    ///< chip of dram=board: model/board/sdram_parts.hpp
 
     // The parameters, with their defaults.
 #define GROUP(name, text)

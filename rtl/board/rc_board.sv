@@ -54,6 +54,7 @@ module rc_board #(
 );
   localparam int unsigned LineW = RowBits + 2 + ColumnBits - 5;
   localparam int unsigned SideW = 10;
+  localparam int unsigned Cl    = ClkKhz > 100_000 ? 3 : 2;   // CAS latency of the SDRAM
 
   if (rc_pkg::Pipelines != 1) begin : gen_refuse
     $error("rc_board: the chip must have one pipeline");
@@ -169,7 +170,7 @@ module rc_board #(
 
   // ---- Memory.
   rc_board_memory #(
-    .ClkKhz(ClkKhz), .RowBits(RowBits), .ColumnBits(ColumnBits), .InitUs(InitUs),
+    .ClkKhz(ClkKhz), .RowBits(RowBits), .ColumnBits(ColumnBits), .Cl(Cl), .InitUs(InitUs),
     .ReadDelay(ReadDelay)
   ) u_memory (
     .clk_i, .rst_ni, .init_done_o(init_done), .align_i(nears),

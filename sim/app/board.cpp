@@ -9,6 +9,7 @@
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/app/run/clock.hpp"
+#include "sim/app/run/picture_folder.hpp"
 #include "sim/board/host.hpp"
 #include "sim/board/port.hpp"
 #include "sim/board/simulated_board.hpp"
@@ -28,8 +29,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* simulated = "simulated";
 constexpr int port_baud = 3'000'000;
-/// The simulated wire has five times the rate, because each simulated cycle takes host time.
-constexpr int simulated_baud = 15'000'000;
+/// The wire of a simulated board is as fast as its UART allows, because each cycle costs time.
+constexpr int simulated_cycles_per_bit = 5;
 
 struct BoardOptions {
     std::string scene, size = "64x48", clock = "75", port = simulated, sdram = "as4c32m16sb";
@@ -37,7 +38,6 @@ struct BoardOptions {
     Finish finish;
     ViewChoice view;
     bool dark = false;
-    int threads = 0;
     std::string output;
     JsonOutput json;
 };
@@ -56,11 +56,37 @@ void declare_board(Parser& parser, BoardOptions& o) {
         .with_default();
     parser.option("--sdram", o.sdram, "memory of the board: as4c32m16sb or is42s16160g").with_default();
     parser.flag("--dark", o.dark, "leave out the simulated screen, which is faster");
-    threads_option(parser, o.threads);
     parser.option(
         "-o,--output", o.output,
         "folder for the pictures: the model's, the one read from the board, and the simulated screen");
     json_option(parser, o.json);
+}
+
+/// Ends every wait for a board at Ctrl-C.
+class StoppableChannel : public Channel {
+public:
+    /// slice: the longest wait without a look at Ctrl-C, in the channel's time.
+    StoppableChannel(Channel& inner, LinkTime slice) : inner_(inner), slice_(slice) {}
+
+    Moved exchange(std::span<const std::uint8_t> out, std::span<std::uint8_t> in, LinkTime most) override {
+        stop_if_interrupted();
+        return inner_.exchange(out, in, std::min(most, slice_));
+    }
+    LinkTime now() override { return inner_.now(); }
+
+private:
+    Channel& inner_;
+    LinkTime slice_;
+};
+
+/// A frame of the screen must last a whole number of cycles. Otherwise the frame's cycles would depend on the
+/// number of frames that the screen has shown.
+void check_beam(int khz) {
+    constexpr int step = 5;
+    if (khz % step != 0)
+        throw UserError(fmt::format("--clock {:g}: a frame of the screen lasts no whole number of cycles; "
+                                    "the clock must be a multiple of {:g} MHz",
+                                    khz / 1e3, step / 1e3));
 }
 
 using Bytes = std::array<std::uint8_t, 3>;
@@ -145,11 +171,17 @@ int run_board(const BoardOptions& o) {
     const FrameSize size = parse_size(o.size);
     const Progress progress = stopping(terminal_progress());
     o.json.check();
-    const Request request = request_of(o.scene, o.config, o.finish, 1, size, progress, o.view);
-    const Config& config = request.config;
+    if (!o.output.empty()) check_picture_folder(o.output, {"model.png", "board.png", "screen.png"});
+    const SdramPart& part = sdram_part(o.sdram);
+    std::unique_ptr<Port> port;
+    if (o.port != simulated) port = std::make_unique<Port>(o.port, port_baud);
+    Request request = request_of(o.scene, o.config, o.finish, 1, size, progress, o.view);
+    Config& config = request.config;
+    config.board_sdram = o.sdram;
     if (!config.is_board())
         throw UserError("board needs a configuration with dram=board, such as ulx3s-board");
     const int khz = one_clock_of(o.clock, config);
+    check_beam(khz);
     Job job = make_job(request.scene, *request.scene.camera, size, config, progress, request.settings);
     job.khz = khz;
 
@@ -158,21 +190,21 @@ int run_board(const BoardOptions& o) {
     const std::vector<Bytes> expected = expected_bytes(config, size, check.model);
 
     const Stopwatch watch;
-    const SdramPart& part = sdram_part(o.sdram);
     std::unique_ptr<SimulatedBoard> board;
-    std::unique_ptr<Port> port;
     LinkSettings settings;
     settings.name = o.port;
-    if (o.port == simulated) {
-        settings.baud = simulated_baud;
+    if (!port) {
+        const std::uint32_t baud = std::uint32_t(khz) * 1000 / simulated_cycles_per_bit;
+        settings.baud = baud;
         settings.hello = 1;
         board = std::make_unique<SimulatedBoard>(
-            config, BoardShape{.khz = khz, .baud = simulated_baud, .sdram = o.sdram, .is_lit = !o.dark});
+            config, BoardShape{.khz = khz, .baud = baud, .sdram = o.sdram, .is_lit = !o.dark});
     } else {
         settings.baud = port_baud;
-        port = std::make_unique<Port>(o.port, settings.baud);
     }
-    BoardLink link(board ? static_cast<Channel&>(*board) : *port, settings);
+    // About a tenth of a second in either case.
+    StoppableChannel channel(board ? static_cast<Channel&>(*board) : *port, LinkTime(board ? 50 : 100'000));
+    BoardLink link(channel, settings);
     BoardHost host(link, config, part);
     std::uint64_t done = 0;
     host.load(job.image, done, progress);
@@ -180,7 +212,7 @@ int run_board(const BoardOptions& o) {
     check.first_counter = counter_sentence(config, check.model.accounts, check.board.accounts);
     check.wrong_pixels = differences(expected, check.board.pixels);
     if (board && !o.dark) {
-        board->watch(2);
+        board->watch(2, progress);
         look_at(*board, check, expected_screen(size, expected));
     }
     if (board) check.simulated_cycles = board->cycle();
@@ -206,15 +238,16 @@ int run_board(const BoardOptions& o) {
         fmt::print("{}\n", check.is_good() ? "EQUAL" : "DIFFERENT");
     }
     if (!o.output.empty()) {
-        fs::create_directories(o.output);
+        StagedFiles staged(o.output);
         const auto write = [&](const char* name, const Picture& picture) {
-            write_file((fs::path(o.output) / name).string(), png_bytes(picture));
+            write_file((staged.stage() / name).string(), png_bytes(picture));
         };
         write("model.png", picture_of(size, expected));
         write("board.png", picture_of(size, check.board.pixels));
         if (check.wrong_screen_pixels)
             write("screen.png",
                   picture_of({int(Screens::width), int(Screens::height)}, board->screen().picture().pixels));
+        staged.publish();
     }
     o.json.write(
         {{"cycles",

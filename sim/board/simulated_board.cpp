@@ -111,11 +111,15 @@ Channel::Moved SimulatedBoard::exchange(std::span<const std::uint8_t> out, std::
 
 LinkTime SimulatedBoard::now() { return LinkTime(cycle_ * 1000 / std::uint64_t(shape_.khz)); }
 
-void SimulatedBoard::watch(std::uint64_t pictures) {
+void SimulatedBoard::watch(std::uint64_t pictures, const Progress& progress) {
     const std::uint64_t until = screen_.frames() + pictures;
     // A whole picture takes 16.8 ms; after a change it may take two until the next whole one.
-    const std::uint64_t limit = cycle_ + (pictures + 2) * 17 * std::uint64_t(shape_.khz);
-    while (screen_.frames() < until && cycle_ < limit) step();
+    const std::uint64_t begin = cycle_, most = (pictures + 2) * 17 * std::uint64_t(shape_.khz);
+    while (screen_.frames() < until && cycle_ - begin < most) {
+        step();
+        constexpr std::uint64_t cycles_of_report = 4096;
+        if (progress && cycle_ % cycles_of_report == 0) progress("watching the screen", cycle_ - begin, most);
+    }
 }
 
 }   // namespace rayclock

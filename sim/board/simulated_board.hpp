@@ -37,8 +37,8 @@ public:
 
     /// One cycle of the chip.
     void step();
-    /// Simulates until the screen has shown that many more whole pictures.
-    void watch(std::uint64_t pictures);
+    /// Simulates until the screen has shown that many more whole pictures. Reports its progress in cycles.
+    void watch(std::uint64_t pictures, const Progress& progress = {});
 
     std::uint64_t cycle() const { return cycle_; }
     std::uint8_t leds() const { return std::uint8_t(led_); }

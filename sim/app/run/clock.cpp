@@ -9,6 +9,7 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/split.hpp"
+#include "model/board/board_memory.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/silicon/chip/clock.hpp"
 
@@ -38,7 +39,15 @@ std::vector<int> clocks_of(const std::string& typed, const Config& config) {
                             printable(config.name)));
         item = fmt::format("{:.3f}", routed->khz() / 1e3);
     }
-    return parse_clocks(fmt::format("{}", fmt::join(items, ",")));
+    const std::vector<int> clocks = parse_clocks(fmt::format("{}", fmt::join(items, ",")));
+    for (const int khz : clocks) {
+        try {
+            check_board_clock(config, khz);
+        } catch (const UserError& error) {
+            throw UserError(fmt::format("--clock {:g}: {}", khz / 1e3, error.what()));
+        }
+    }
+    return clocks;
 }
 
 int one_clock_of(const std::string& typed, const Config& config) {

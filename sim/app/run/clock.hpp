@@ -10,7 +10,7 @@
 namespace rayclock {
 
 /// Parses "66,fmax" like parse_clocks(), where fmax is the clock at which `rayclock chip` routed this
-/// configuration. Throws UserError if it was not routed.
+/// configuration. Throws UserError if it was not routed, or if the memory dram=board does not allow a clock.
 std::vector<int> clocks_of(const std::string& typed, const Config& config);
 
 /// Refuses what clocks_of() would refuse for every configuration, before a scene is loaded. Throws UserError.

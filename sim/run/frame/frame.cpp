@@ -36,6 +36,15 @@ std::string with_rate(const char* machine, std::uint64_t cycles, const Stopwatch
 void check_capacity(const MemoryImage& image, const Config& config) {
     const DramPart* part = config.dram_part();
     if (!part) return;
+    if (config.is_board()) {
+        const SdramPart& sdram = sdram_part(config.board_sdram);
+        const std::uint64_t room = std::uint64_t(Screens::base(sdram, 0)) * 64;
+        if (image.report.bytes > room)
+            throw UserError(fmt::format("the scene's memory image of {} bytes does not fit below the two "
+                                        "pictures in the board's memory: {} has {} bytes for it",
+                                        image.report.bytes, sdram.name, room));
+        return;
+    }
     const std::int64_t capacity = capacity_bytes(*part) * config.dram_channels;
     const bool has_pictures = config.scan_out || config.pixel_writes;
     if (has_pictures && std::int64_t(image.report.bytes) + FrameBuffer::bytes > capacity)
@@ -45,7 +54,7 @@ void check_capacity(const MemoryImage& image, const Config& config) {
                         "than the memory '{}' holds, {} bytes",
                         image.report.bytes, FrameBuffer::bytes, part->name, capacity));
     const double peak = double(peak_bytes_per_second(*part)) * config.dram_channels;
-    if (config.scan_out && !config.is_board() && peak <= FrameBuffer::screen_bytes_per_second)
+    if (config.scan_out && peak <= FrameBuffer::screen_bytes_per_second)
         throw UserError(fmt::format(
             "scan_out=1 reads {:.1f} MB/s for the screen, and the memory '{}' gives {:.1f} at most",
             FrameBuffer::screen_bytes_per_second / 1e6, part->name, peak / 1e6));

@@ -86,6 +86,10 @@ std::vector<PortSpec> board_ports(const std::string& module) {
     if (module == "rc_host_link")
         p.inputs({"rx", "init_done", "flushed", "armed", "underruns", "cycles"})
             .outputs({"tx", "chip_reset", "arm", "draw_base", "base", "width", "height", "double"});
+    if (module == "rc_frame_control")
+        p.inputs({"arm", "takes", "running", "done", "pixels_empty", "colour_empty"})
+            .outputs({"armed", "flushed", "cycles", "flush"})
+            .both({"wb_cyc", "wb_stb", "wb_we", "wb_adr", "wb_dat", "wb_ack", "wb_err"});
     if (module == "rc_board")
         p.sdram_pins()
             .inputs({"rx", "pixel_clk", "shift_clk"})

@@ -1,0 +1,200 @@
+// Frames on the simulated board, from the host's wire to memory and screen, beside the model's.
+#include <catch2/catch.hpp>
+
+#include "sim/board/host.hpp"
+#include "sim/board/simulated_board.hpp"
+#include "sim/files/image/srgb.hpp"
+#include "sim/run/frame/frame.hpp"
+#include "sim/run/request/request.hpp"
+
+namespace rayclock::test::simulated_board_test {
+
+using namespace rayclock;
+
+namespace {
+
+using Bytes = std::array<std::uint8_t, 3>;
+
+struct Setting {
+    ConfigChoice config{"ulx3s-board", {}};
+    std::string scene = "gears:1";
+    FrameSize size{16, 12};
+    int khz = 30'000;   // a slow clock: the frames of the screen take fewer cycles
+    std::string sdram = "as4c32m16sb";
+    bool is_lit = false;
+    int depth = 1;
+};
+
+BoardShape shape_of(const Setting& s) {
+    return {.khz = s.khz,
+            .baud = std::uint32_t(s.khz) * 200,
+            .sdram = s.sdram,
+            .initial_wait_us = 5,
+            .is_lit = s.is_lit};
+}
+
+/// The channel of a board that also follows its beam: the LEDs must show cycle 0 at the model's distance from
+/// the vertical blank.
+class WatchedBoard : public Channel {
+public:
+    WatchedBoard(const Config& config, const BoardShape& shape)
+        : board(config, shape), beam_({.chip_khz = std::uint32_t(shape.khz)}) {
+        for (std::uint64_t i = 0; i < board.cycle(); ++i) beam_.clock({});
+    }
+
+    Moved exchange(std::span<const std::uint8_t> out, std::span<std::uint8_t> in, LinkTime most) override {
+        Moved moved = board.exchange(out, in, LinkTime(0));
+        for (const LinkTime end = board.now() + most; moved.read == 0 && board.now() < end;) {
+            step();
+            moved.read = board.exchange({}, in, LinkTime(0)).read;
+        }
+        return moved;
+    }
+    LinkTime now() override { return board.now(); }
+
+    SimulatedBoard board;
+    std::vector<std::uint64_t> starts;   ///< cycles from the blank to cycle 0, of each frame
+
+private:
+    void step() {
+        const bool armed = board.leds() >> 1 & 1, runs = board.leds() >> 2 & 1;
+        if (beam_.takes()) taken_at_ = board.cycle();
+        if (runs && !ran_) starts.push_back(board.cycle() - taken_at_);
+        if (runs) CHECK_FALSE(armed);
+        ran_ = runs;
+        beam_.clock({});
+        board.step();
+    }
+
+    ScanOut beam_;
+    std::uint64_t taken_at_ = 0;
+    bool ran_ = false;
+};
+
+std::vector<Bytes> bytes_of_frame(const Job& job, const FrameResult& frame) {
+    std::vector<Bytes> bytes;
+    if (job.config.has_shade())
+        for (const glm::vec3& pixel : picture_from_colours(job.size, frame.colours).pixels)
+            bytes.push_back(srgb_bytes(pixel));
+    else
+        for (const Closest& hit : frame.answers) bytes.push_back(label_colour(hit.found, hit.prim));
+    return bytes;
+}
+
+void require_counters(const Config& config, const Accounts& model, const Accounts& board) {
+    for (std::size_t u = 0; u < unit_count; ++u) {
+        if (Unit(u) == Unit::memory || !is_there(Unit(u), config)) continue;
+        INFO("unit " << unit_infos[u].name);
+        CHECK(model.units[u] == board.units[u]);
+    }
+}
+
+/// The picture in the middle of the screen, doubled if it fits.
+std::vector<Bytes> on_screen(FrameSize size, const std::vector<Bytes>& bytes) {
+    const int scale = Screens::doubles(std::uint32_t(size.width), std::uint32_t(size.height)) ? 2 : 1;
+    const int left = (640 - scale * size.width) / 2, top = (480 - scale * size.height) / 2;
+    std::vector<Bytes> screen(640 * 480);
+    for (int y = 0; y < scale * size.height; ++y)
+        for (int x = 0; x < scale * size.width; ++x)
+            screen[std::size_t((top + y) * 640 + left + x)] =
+                bytes[std::size_t(y / scale * size.width + x / scale)];
+    return screen;
+}
+
+/// Draws frames of turning cameras on the board and on the model, and requires that everything is equal.
+void require_equal_frames(const Setting& s, int frames) {
+    INFO(s.scene << ", " << s.size.width << "x" << s.size.height << ", " << s.khz << " kHz, " << s.sdram);
+    Finish finish;
+    if (s.depth > 0) finish.depth = s.depth;
+    Request request = request_of(s.scene, s.config, finish, 1, s.size, {});
+    request.config.board_sdram = s.sdram;
+    const Config& config = request.config;
+    Job job = make_job(request.scene, *request.scene.camera, s.size, config, {}, request.settings);
+    job.khz = s.khz;
+
+    std::vector<Job> jobs;
+    std::vector<RecordedFrame> recorded;
+    for (int f = 0; f < frames; ++f) {
+        Camera camera = *request.scene.camera;
+        camera.fov_degrees += 5 * f;
+        jobs.push_back(job);
+        jobs.back().frame = job_frame(job, camera);
+        recorded.push_back(record_frame(job, jobs.back().frame));
+    }
+    const std::vector<FrameTiming> model = replay(config, s.khz, recorded);
+
+    WatchedBoard watched(config, shape_of(s));
+    LinkSettings settings;
+    settings.baud = shape_of(s).baud;
+    settings.hello = 1;
+    BoardLink link(watched, settings);
+    BoardHost host(link, config, sdram_part(s.sdram));
+    std::uint64_t done = 0;
+    host.load(job.image, done);
+    std::vector<Bytes> expected;
+    for (int f = 0; f < frames; ++f) {
+        INFO("frame " << f);
+        const std::size_t i = std::size_t(f);
+        const BoardFrame frame = host.run(jobs[i].frame);
+        CHECK(frame.cycles == model[i].cycles);
+        CHECK(frame.written_cycles > frame.cycles);
+        CHECK(frame.written_cycles < frame.cycles + 2000);
+        CHECK(frame.underruns == 0);
+        require_counters(config, model[i].accounts, frame.accounts);
+        expected = bytes_of_frame(jobs[i], run_model(jobs[i]));
+        CHECK(frame.pixels == expected);
+        REQUIRE(watched.starts.size() == i + 1);
+        CHECK(watched.starts.back() == BoardMemory::start_cycles);
+    }
+    if (s.is_lit) {
+        watched.board.watch(2);
+        CHECK(watched.board.screen().picture().pixels == on_screen(s.size, expected));
+        CHECK(watched.board.screen().errors().empty());
+        CHECK(watched.board.receiver().errors().empty());
+    }
+    CHECK(watched.board.sdram().violations().empty());
+}
+
+ConfigChoice camera_chip() { return {"ulx3s", {"dram=board", "scan_out=1", "pixel_writes=1"}}; }
+
+}   // namespace
+
+TEST_CASE("the rtl of the simulated board is built", "[.build]") {
+    for (const ConfigChoice& choice : {ConfigChoice{"ulx3s-board", {}}, camera_chip()})
+        const SimulatedBoard board(load_config(choice), shape_of({}));
+    SUCCEED("both are there");
+}
+
+TEST_CASE("two frames of a shading chip on the board are the model's", "[simulated]") {
+    require_equal_frames({}, 2);
+}
+
+TEST_CASE("a frame of a camera's chip on the board is the model's, up to the screen", "[simulated]") {
+    require_equal_frames({.config = camera_chip(), .is_lit = true, .depth = 0}, 1);
+}
+
+TEST_CASE("the smaller SDRAM has the rows of its model", "[simulated][slow]") {
+    require_equal_frames({.khz = 62'500, .sdram = "is42s16160g", .is_lit = true}, 1);
+}
+
+TEST_CASE("the SDRAM's longer latency above 100 MHz is the model's", "[simulated][slow]") {
+    require_equal_frames({.khz = 125'000}, 1);
+}
+
+TEST_CASE("a frame that waits for memory is the model's", "[simulated][slow]") {
+    const std::vector<std::string> tiny{"node_sets=4", "node_ways=1", "prim_sets=4", "prim_ways=1"};
+    require_equal_frames({.config = {"ulx3s-board", tiny}, .size = {40, 30}, .khz = 75'000}, 2);
+    ConfigChoice kd = camera_chip();
+    kd.set.insert(kd.set.end(), tiny.begin(), tiny.end());
+    kd.set.push_back("structure=kd");
+    require_equal_frames({.config = kd, .size = {40, 30}, .khz = 75'000, .depth = 0}, 1);
+}
+
+TEST_CASE("two levels and a larger picture are the model's", "[simulated][slow]") {
+    ConfigChoice levels = camera_chip();
+    levels.set.push_back("levels=2");
+    require_equal_frames({.config = levels, .scene = "gears:2", .khz = 75'000, .depth = 0}, 1);
+    require_equal_frames({.size = {160, 120}, .khz = 75'000, .is_lit = true}, 1);
+}
+
+}   // namespace rayclock::test::simulated_board_test
