@@ -1,14 +1,15 @@
 // Starts the chip's frames for the host, and measures them.
 //
 // After arm_i the module waits for the beginning of the screen's vertical blank (takes_i), and then
-// writes 1 to the chip's register `start`. A little earlier the memory has begun a refresh, which closes
-// all rows. So every frame begins with memory and beam in the same state, and takes the number of cycles
-// that the model says. The host must not access the chip's bus while armed_o is high.
+// writes 1 to the chip's register `start`. A little earlier the memory has begun a refresh, which
+// closes all rows. So every frame begins with memory and beam in the same state, and takes the
+// number of cycles that the model says. The host must not access the chip's bus while armed_o is
+// high.
 //
-// When the chip is done and its last pixel has left the conversion, flush_o lets the pixel writer write
-// what it holds. flushed_o is high when it has done so, until the next frame is armed. cycles_o counts
-// from the frame's cycle 0 to the last beat of the last pixel. model/board/board_memory.hpp is the
-// model.
+// When the chip is done and its last pixel has left the conversion, flush_o lets the pixel writer
+// write what it holds. flushed_o is high when it has done so, until the next frame is armed.
+// cycles_o counts from the frame's cycle 0 to the last beat of the last pixel.
+// model/board/board_memory.hpp is the model.
 `default_nettype none
 module rc_frame_control (
   input  logic                           clk_i,
