@@ -78,7 +78,8 @@ RAYCLOCK_CHOICE(TexelFormat, rgb888, rgb565)
 /// The length of paths in the RTL: model/core/stages.hpp.
 RAYCLOCK_CHOICE(Timing, relaxed, fast)
 
-/// Memories outside the chip: model/core/dram_presets.hpp. board is the SDRAM of rtl/board with its controller.
+/// Memories outside the chip: model/core/dram_presets.hpp. board is the SDRAM of rtl/board with its
+/// controller.
 RAYCLOCK_CHOICE(DramName, ideal, sdr, ddr3, rpu, sdr_half, ddr4, lpddr4, hbm2, board)
 
 #undef RAYCLOCK_CHOICE

@@ -4,15 +4,15 @@
 //       |                            |                          |
 //       +-------------- board memory (arbiter, SDRAM controller) ------- scan-out --- video
 //
-// clk_i drives everything except the end of the video. pixel_clk_i must have PixelKhz, and shift_clk_i
-// five times its frequency, both from the same source as clk_i. Two pictures lie at the memory's end. The
-// host selects the one to draw (draw_base) and the one to show (base).
+// clk_i drives everything except the end of the video. pixel_clk_i must have PixelKhz, and
+// shift_clk_i five times its frequency, both from the same source as clk_i. Two pictures lie at
+// the memory's end. The host selects the one to draw (draw_base) and the one to show (base).
 //
-// The SDRAM's clock is clk_i shifted by half a period. Read data need more than the other half to reach
-// the input registers, so ReadDelay is 1.
+// The SDRAM's clock is clk_i shifted by half a period. Read data need more than the other half to
+// reach the input registers, so ReadDelay is 1.
 //
-// docs/machine/board.md describes the board, model/board/board_memory.hpp is the model of its timing,
-// sim/board/simulated_board.hpp simulates it, and rtl/ecp5/rc_ulx3s.v adds PLL and pins.
+// docs/machine/board.md describes the board, model/board/board_memory.hpp is the model of its
+// timing, sim/board/simulated_board.hpp simulates it, and rtl/ecp5/rc_ulx3s.v adds PLL and pins.
 `default_nettype none
 module rc_board #(
   parameter  int unsigned ClkKhz     = 75_000,
@@ -140,7 +140,8 @@ module rc_board #(
     .colour_o(pixel_colour), .empty_o(colour_empty));
 
   rc_pixel_writer #(.LineW(LineW), .SideW(SideW)) u_writer (
-    .clk_i, .rst_ni(rst_ni), .base_i(drawn_base), .width_i(shown_width[SideW:0]), .flush_i(flush || !chip_rst_n_q),
+    .clk_i, .rst_ni(rst_ni), .base_i(drawn_base), .width_i(shown_width[SideW:0]),
+    .flush_i(flush || !chip_rst_n_q),
     .empty_o(writer_empty),
     .pixel_valid_i(pixel_valid), .pixel_ready_o(pixel_ready), .pixel_x_i(pixel_x[SideW-1:0]),
     .pixel_y_i(pixel_y[SideW-1:0]), .pixel_colour_i(pixel_colour),
@@ -187,7 +188,8 @@ module rc_board #(
     .sd_cke_o, .sd_cs_no, .sd_ras_no, .sd_cas_no, .sd_we_no, .sd_ba_o, .sd_a_o, .sd_dqm_o, .sd_dq_o,
     .sd_dq_oe_o, .sd_dq_i);
 
-  // ---- LEDs: memory ready, armed, frame runs, frame done, underruns, video's queue failed, RX, TX.
+  // ---- LEDs: memory ready, armed, frame runs, frame done, underruns, queue of the video failed,
+  // RX, TX.
   logic queue_failed_q;
 
   always_ff @(posedge clk_i) begin

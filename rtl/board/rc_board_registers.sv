@@ -21,7 +21,7 @@ module rc_board_registers #(
   output logic                good_o,
   // Control
   output logic                chip_reset_o,   // reset of the chip, active high
-  output logic                arm_o,          // starts a frame at the next vertical blank; one cycle
+  output logic                arm_o,          // starts a frame at the next blank; one cycle
   // Status
   input  logic                init_done_i,    // the memory works
   input  logic                flushed_i,      // the frame has ended, and its pixels are in memory

@@ -1,14 +1,15 @@
 // Starts the chip's frames for the host, and measures them.
 //
-// After arm_i the module waits for the beginning of the screen's vertical blank (takes_i), and then
-// writes 1 to the chip's register `start`. 100 pixel clocks earlier the memory has begun a refresh, which
-// closes all rows. So every frame begins with memory and beam in the same state, and takes the model's
-// number of cycles. The host must not access the chip's bus while armed_o is high.
+// After arm_i the module waits for the beginning of the screen's vertical blank (takes_i), and
+// then writes 1 to the chip's register `start`. 100 pixel clocks earlier the memory has begun a
+// refresh, which closes all rows. So every frame begins with memory and beam in the same state,
+// and takes the model's number of cycles. The host must not access the chip's bus while armed_o is
+// high.
 //
-// When the chip is done and its last pixel has left the conversion, flush_o makes the pixel writer write
-// its partial blocks. flushed_o is high from the end of these writes until the next frame is armed.
-// cycles_o counts from the frame's cycle 0 to the last beat of the last pixel.
-// Model: model/board/board_memory.hpp (BoardMemory::start).
+// When the chip is done and its last pixel has left the conversion, flush_o makes the pixel writer
+// write its partial blocks. flushed_o is high from the end of these writes until the next frame is
+// armed. cycles_o counts from the frame's cycle 0 to the last beat of the last pixel. Model:
+// model/board/board_memory.hpp (BoardMemory::start).
 `default_nettype none
 module rc_frame_control (
   input  logic                           clk_i,

@@ -1,16 +1,16 @@
 // Converts finished pixels to 8 bits per channel, for the screen.
 //
-// A chip that shades gives linear colours with UnitBits of fraction. Their sRGB bytes equal the bytes
-// that the host writes to a PNG (sim/files/image/srgb.hpp): a byte is the number of entries of
-// `Thresholds` that do not exceed the channel. Eight stages find it by binary search. The three
-// channels enter one after the other, so the module accepts a pixel every three cycles. A pixel can
-// leave Stages + 3 = 11 cycles after it was accepted.
+// A chip that shades gives linear colours with UnitBits of fraction. Their sRGB bytes equal the
+// bytes that the host writes to a PNG (sim/files/image/srgb.hpp): a byte is the number of entries
+// of `Thresholds` that do not exceed the channel. Eight stages find it by binary search. The three
+// channels enter one after the other, so the module accepts a pixel every three cycles. A pixel
+// can leave Stages + 3 = 11 cycles after it was accepted.
 //
-// A chip that does not shade gives hits. The screen shows the number of the primitive, plus 1, as a
-// colour. Bits 0, 3, 6, ... of the number become red, bits 1, 4, 7, ... green, and bits 2, 5, 8, ...
-// blue; the lowest of them becomes a channel's highest bit. This is the colour map of labels in the
-// PASCAL VOC development kit. A pixel without a hit is black. The module then accepts a pixel in every
-// cycle, and the pixel can leave in the next one.
+// A chip that does not shade gives hits. The screen shows the number of the primitive, plus 1, as
+// a colour. Bits 0, 3, 6, ... of the number become red, bits 1, 4, 7, ... green, and bits 2, 5, 8,
+// ... blue; the lowest of them becomes a channel's highest bit. This is the colour map of labels
+// in the PASCAL VOC development kit. A pixel without a hit is black. The module then accepts a
+// pixel in every cycle, and the pixel can leave in the next one.
 //
 // Model: model/board/pixel_colour.hpp.
 `default_nettype none
@@ -130,7 +130,7 @@ module rc_pixel_colour (
     assign found[0]   = '0;
 
     for (genvar s = 0; s < Stages; s++) begin : gen_stage
-      localparam int unsigned Step = 1 << (Stages - 1 - s);   // weight of the bit that this stage finds
+      localparam int unsigned Step = 1 << (Stages - 1 - s);   // weight of the stage's bit
       logic [ValueW-1:0] threshold;
       logic              valid_q, is_last_q;
       logic [ValueW-1:0] value_q;

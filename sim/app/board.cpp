@@ -84,9 +84,10 @@ private:
 void check_beam(int khz) {
     constexpr int step = 5;
     if (khz % step != 0)
-        throw UserError(fmt::format("--clock {:g}: a frame of the screen lasts no whole number of cycles; "
-                                    "the clock must be a multiple of {:g} MHz",
-                                    khz / 1e3, step / 1e3));
+        throw UserError(
+            fmt::format("--clock {:g}: a frame of the screen lasts no whole number of cycles; "
+                        "the clock must be a multiple of {:g} MHz",
+                        khz / 1e3, step / 1e3));
 }
 
 using Bytes = std::array<std::uint8_t, 3>;

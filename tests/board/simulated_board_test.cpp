@@ -194,7 +194,8 @@ TEST_CASE("two levels and a larger picture are the model's", "[simulated][slow]"
     ConfigChoice levels = camera_chip();
     levels.set.push_back("levels=2");
     require_equal_frames({.config = levels, .scene = "gears:2", .khz = 75'000, .depth = 0}, 1);
-    require_equal_frames({.config = {"ulx3s-board", {}}, .size = {160, 120}, .khz = 75'000, .is_lit = true}, 1);
+    require_equal_frames({.config = {"ulx3s-board", {}}, .size = {160, 120}, .khz = 75'000, .is_lit = true},
+                         1);
 }
 
 }   // namespace rayclock::test::simulated_board_test

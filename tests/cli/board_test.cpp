@@ -47,13 +47,14 @@ TEST_CASE("clocks that the board's memory does not allow are refused") {
 }
 
 TEST_CASE("parts of the board cannot be left out, and its screen has a size") {
-    for (const char* set : {"scan_out=0", "pixel_writes=0", "source=stream", "pipelines=2", "dram_channels=2"}) {
+    for (const char* set :
+         {"scan_out=0", "pixel_writes=0", "source=stream", "pipelines=2", "dram_channels=2"}) {
         INFO(set);
         check_refused(run_program(tiny("simulate", {"--clock", "75", "--set", set})), {"ulx3s-board: "});
     }
-    check_refused(run_program({"simulate", "gears:1", "--config", "ulx3s-board", "--clock", "75", "--size",
-                               "641x480"}),
-                  {"641x480", "640x480"});
+    check_refused(
+        run_program({"simulate", "gears:1", "--config", "ulx3s-board", "--clock", "75", "--size", "641x480"}),
+        {"641x480", "640x480"});
 }
 
 TEST_CASE("boards, ports and memories that are not there are refused before the work") {
@@ -72,7 +73,8 @@ TEST_CASE("a port where nothing answers ends within seconds") {
     const SilentPort port;
     using Clock = std::chrono::steady_clock;
     const Clock::time_point begin = Clock::now();
-    check_refused(run_program(tiny("board", {"--port", port.name})), {port.name, "no rayclock board answers"});
+    check_refused(run_program(tiny("board", {"--port", port.name})),
+                  {port.name, "no rayclock board answers"});
     CHECK(std::chrono::duration<double>(Clock::now() - begin).count() < 10);
 }
 

@@ -40,10 +40,10 @@ mutant(colour_label_bits_swapped FILE rtl/board/rc_pixel_colour.sv TEST board "p
 # ---- Wiring.
 mutant(board_writer_flushes_too_early FILE rtl/board/rc_board.sv TEST board "two frames of a shading chip*"
   OLD [[.flush_i(flush || !chip_rst_n_q),]]
-  NEW [[.flush_i(1'b1),]])
+  NEW [[.flush_i(flush || 1'b1 || !chip_rst_n_q),]])
 mutant(board_draws_what_it_shows FILE rtl/board/rc_board.sv TEST board "two frames of a shading chip*"
   OLD [[.base_i(drawn_base),]]
-  NEW [[.base_i(shown_base),]])
+  NEW [[.base_i((drawn_base & '0) | shown_base),]])
 mutant(board_memory_is_not_aligned FILE rtl/board/rc_board.sv TEST board "two frames of a shading chip*"
   OLD [[.init_done_o(init_done), .align_i(nears),]]
   NEW [[.init_done_o(init_done), .align_i(nears && 1'b0),]])
@@ -59,12 +59,6 @@ mutant(model_board_is_not_aligned FILE model/board/board_memory.cpp TEST board
   "two frames of a shading chip*"
   OLD [[if (scan_.nears()) clients_.align();]]
   NEW [[]])
-mutant(model_board_keeps_the_turn FILE model/board/memory_clients.cpp TEST board
-  "two frames of a shading chip*"
-  OLD [[    if (aligns_)
-        pixels_turn_ = false;
-    else if]]
-  NEW [[    if]])
 mutant(model_board_has_one_sdram FILE model/board/board_memory.cpp TEST board "the smaller SDRAM*"
   OLD [[sdram_part(config.board_sdram))),]]
   NEW [[sdram_part("as4c32m16sb"))),]])

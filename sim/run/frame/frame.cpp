@@ -40,9 +40,10 @@ void check_capacity(const MemoryImage& image, const Config& config) {
         const SdramPart& sdram = sdram_part(config.board_sdram);
         const std::uint64_t room = std::uint64_t(Screens::base(sdram, 0)) * 64;
         if (image.report.bytes > room)
-            throw UserError(fmt::format("the scene's memory image of {} bytes does not fit below the two "
-                                        "pictures in the board's memory: {} has {} bytes for it",
-                                        image.report.bytes, sdram.name, room));
+            throw UserError(
+                fmt::format("the scene's memory image of {} bytes does not fit below the two "
+                            "pictures in the board's memory: {} has {} bytes for it",
+                            image.report.bytes, sdram.name, room));
         return;
     }
     const std::int64_t capacity = capacity_bytes(*part) * config.dram_channels;

@@ -1,0 +1,42 @@
+// The chip beside the model of the board's memory: model and RTL in lockstep, also with disturbed traffic.
+#include <catch2/catch.hpp>
+
+#include "sim/run/request/request.hpp"
+#include "tests/support/machine/build_all.hpp"
+#include "tests/support/machine/frames.hpp"
+
+namespace rayclock::test::chip_lockstep_test {
+
+using namespace rayclock;
+
+namespace {
+
+/// The smaller chip of the two, which does not shade.
+Config chip() { return load_config({"ulx3s", {"dram=board", "scan_out=1", "pixel_writes=1"}}); }
+
+}   // namespace
+
+TEST_CASE("the rtl of the board's chip is built", "[.build]") {
+    build_all({{"rc_chip", "board", chip()}});
+    SUCCEED("it is there");
+}
+
+TEST_CASE("model and RTL agree at the board's memory, under every back-pressure", "[chip]") {
+    for (const Traffic traffic : {Traffic{0, 0, 1}, Traffic{20, 0, 2}, Traffic{0, 50, 3}, Traffic{7, 20, 4}})
+        for (const int khz : {75'000, 62'500, 125'000}) {
+            INFO(khz << " kHz, jitter " << traffic.jitter << ", stall " << traffic.stall_percent << " %");
+            Job job = make_shot("gears:1", {32, 24}, chip()).job;
+            job.khz = khz;
+            check_lockstep(job, traffic);
+        }
+}
+
+TEST_CASE("two frames at the board's memory agree", "[chip]") {
+    const Job job = make_shot("gears:1", {32, 24}, chip()).job;
+    std::vector<RecordedFrame> frames;
+    for (int f = 0; f < 2; ++f) frames.push_back(record_frame(job, job.frame));
+    check_lockstep(job, frames);
+    check_lockstep(job, frames, {7, 20, 5});
+}
+
+}   // namespace rayclock::test::chip_lockstep_test
