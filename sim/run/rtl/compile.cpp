@@ -177,7 +177,8 @@ std::string build_inputs(const Config& config, const std::string& module, Waves 
         for (const Arguments& some : flags)
             for (const std::string& flag : some) all += " " + flag;
     };
-    add({top_module(module), verilator_flags, compiler_flags(), start_flags});
+    for (const auto& [name, value] : parameter_values(module)) all += " " + name + "=" + value;
+    add({verilator_flags, compiler_flags(), start_flags});
     if (form == Form::rtl) {
         all += source_inputs(module);
     } else {
