@@ -271,7 +271,7 @@ int run_board(const BoardOptions& o) {
 }   // namespace
 
 Command board_command() {
-    return command("board", "draw a frame on a ULX3S, or on a simulated one, and compare it with the model",
+    return command("board", "draw a frame on a ULX3S, simulated or real, and compare it",
                    "rayclock board balls:2 --depth 1 -o out", declare_board, run_board);
 }
 

@@ -71,7 +71,7 @@ TEST_CASE("the help fits a screen, in groups") {
         {"Run", {"scenes", "config", "render", "simulate", "rays"}},
         {"Look", {"explain", "trace", "compare"}},
         {"Explore", {"sweep", "merge", "fit", "study"}},
-        {"Build", {"rtl", "template", "export", "chip"}},
+        {"Build", {"rtl", "template", "export", "chip", "board"}},
         {"Check", {"verify", "stress", "bench", "doctor"}}};
     std::size_t at = 0;
     for (const auto& [heading, commands] : groups) {
