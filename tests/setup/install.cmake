@@ -63,7 +63,7 @@ ask study gig
 ask study area --no-such --uni
 ")
 run(output bash ${FOLDER}/ask.sh)
-string(CONCAT completed "<explain>\n<--no-reference>\n<ulx3s ulx3s-shaded>\n<tetra>\n"
+string(CONCAT completed "<explain>\n<--no-reference>\n<ulx3s ulx3s-shaded ulx3s-board>\n<tetra>\n"
   "<node_width= node_ways=>\n<study>\n<gigahertz>\n<--unit>")
 demand("${output}" "${completed}")
 set(shells zsh fish)

@@ -87,6 +87,11 @@ TEST_CASE("whatever is legal fits its integers and memory lines", "[config]") {
         }
         if (!c.planes || !c.refraction) c.panes = 0;
         if (!c.planes || c.origin_bits < far_drop) c.horizon = 0;
+        if (c.is_board()) {
+            c.source = RaySource::camera;
+            c.pipelines = c.dram_channels = 1;
+            c.scan_out = c.pixel_writes = true;
+        }
         if (c.is_stream()) c.scan_out = false;
         try {
             check_config(c, "");
