@@ -82,7 +82,8 @@ TEST_CASE("hits do not depend on latency, order of answers or back-pressure: RTL
         make_shot("gears:1", {32, 24}, quick_config(GENERATE("default", "small", "narrow", "broad")));
     const HitFrame expected = run_rtl(shot.job).hits;
     CHECK(expected.hits == run_model(shot.job).hits.hits);
-    for (int dram = 0; dram < int(names_of<DramName>().size()); ++dram)
+    // The board's memory, the last one, does not allow these clocks: tests/board/chip_lockstep_test.cpp.
+    for (int dram = 0; dram < int(DramName::board); ++dram)
         for (const int khz : {20000, 500000}) {
             Job job = reshaped(shot.job, {{"dram", dram}});
             job.khz = khz;
