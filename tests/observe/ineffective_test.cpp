@@ -213,7 +213,7 @@ TEST_CASE("a name that is far from all lists them, if they are few") {
     CHECK_THROWS_WITH(
         set_parameter(config, "dram", "hypermemory", "--set"),
         "--set: no dram is called 'hypermemory'; there are 'ideal', 'sdr', 'ddr3', 'rpu', 'sdr_half', "
-        "'ddr4', 'lpddr4', 'hbm2'");
+        "'ddr4', 'lpddr4', 'hbm2', 'board'");
     CHECK_THROWS_WITH(named_config("nonsense"),
                       Catch::Contains("is called 'nonsense'; there are 'default', 'small'"));
 }

@@ -18,12 +18,27 @@ namespace {
 /// or are slow in Verilator.
 int most_of(const Parameter& p) {
     const std::string key = p.key;
-    const std::pair<const char*, int> most[] = {
-        {"contexts", 128},  {"mem_latency", 60},   {"mem_interval", 4}, {"raygen_queue", 64},
-        {"box_queue", 64},  {"tri_queue", 64},     {"cache_queue", 64}, {"node_sets", 64},
-        {"prim_sets", 64},  {"l2_sets", 128},      {"node_mshrs", 16},  {"prim_mshrs", 16},
-        {"l2_mshrs", 32},   {"primitive_test", 1}, {"shade_queue", 64}, {"surf_sets", 64},
-        {"surf_mshrs", 16}, {"lights", 16}};
+    const std::pair<const char*, int> most[] = {{"contexts", 128},
+                                                {"mem_latency", 60},
+                                                {"mem_interval", 4},
+                                                {"raygen_queue", 64},
+                                                {"box_queue", 64},
+                                                {"tri_queue", 64},
+                                                {"cache_queue", 64},
+                                                {"node_sets", 64},
+                                                {"prim_sets", 64},
+                                                {"l2_sets", 128},
+                                                {"node_mshrs", 16},
+                                                {"prim_mshrs", 16},
+                                                {"l2_mshrs", 32},
+                                                {"primitive_test", 1},
+                                                {"shade_queue", 64},
+                                                {"surf_sets", 64},
+                                                {"surf_mshrs", 16},
+                                                {"lights", 16},
+                                                // The board's memory comes last, and few other parameters are
+                                                // legal with it.
+                                                {"dram", int(DramName::board) - 1}};
     for (const auto& [name, value] : most)
         if (key == name) return std::min(value, p.hi);
     return p.hi;
