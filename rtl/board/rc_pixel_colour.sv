@@ -121,13 +121,13 @@ module rc_pixel_colour (
     // ---- Binary search: stage s has found the s highest bits of the byte.
     logic [Stages:0]   valid;
     logic [Stages:0]   is_last;             // the channel is blue
-    logic [ValueW-1:0] value [Stages + 1];
-    logic [Stages-1:0] found [Stages + 1];  // bits that are not yet found are 0
+    logic [(Stages+1)*ValueW-1:0] value;
+    logic [(Stages+1)*Stages-1:0] found;  // bits that are not yet found are 0
 
     assign valid[0]   = enters;
     assign is_last[0] = left_q == 2'd1;
-    assign value[0]   = fires ? channels[ValueW-1:0] : rest_q[ValueW-1:0];
-    assign found[0]   = '0;
+    assign value[ValueW-1:0]   = fires ? channels[ValueW-1:0] : rest_q[ValueW-1:0];
+    assign found[Stages-1:0]   = '0;
 
     for (genvar s = 0; s < Stages; s++) begin : gen_stage
       localparam int unsigned Step = 1 << (Stages - 1 - s);   // weight of the stage's bit
@@ -139,33 +139,33 @@ module rc_pixel_colour (
       always_comb begin
         threshold = '0;
         for (int unsigned b = 0; b < Bytes; b += 2 * Step)
-          if (found[s] == Stages'(b)) threshold = Thresholds[(b+Step-1)*ValueW +: ValueW];
+          if (found[s*Stages +: Stages] == Stages'(b)) threshold = Thresholds[(b+Step-1)*ValueW +: ValueW];
       end
 
       always_ff @(posedge clk_i) begin
         if (!rst_ni) valid_q <= 1'b0;
         else         valid_q <= valid[s];
         is_last_q <= is_last[s];
-        value_q   <= value[s];
-        found_q   <= found[s] | (value[s] >= threshold ? Stages'(Step) : Stages'(0));
+        value_q   <= value[s*ValueW +: ValueW];
+        found_q   <= found[s*Stages +: Stages] | (value[s*ValueW +: ValueW] >= threshold ? Stages'(Step) : Stages'(0));
       end
 
       assign valid[s+1]   = valid_q;
       assign is_last[s+1] = is_last_q;
-      assign value[s+1]   = value_q;
-      assign found[s+1]   = found_q;
+      assign value[(s+1)*ValueW +: ValueW]   = value_q;
+      assign found[(s+1)*Stages +: Stages]   = found_q;
     end
 
     // ---- Red and green wait for blue.
     logic [15:0] bytes_q;
 
-    always_ff @(posedge clk_i) if (valid[Stages]) bytes_q <= {found[Stages], bytes_q[15:8]};
+    always_ff @(posedge clk_i) if (valid[Stages]) bytes_q <= {found[Stages*Stages +: Stages], bytes_q[15:8]};
 
     assign colour_valid = valid[Stages] && is_last[Stages];
-    assign colour       = {found[Stages], bytes_q};
+    assign colour       = {found[Stages*Stages +: Stages], bytes_q};
 
     logic unused;
-    assign unused = ^{value[Stages], hit_i};
+    assign unused = ^{value[Stages*ValueW +: ValueW], hit_i};
   end else begin : gen_labels
     logic [31:0] label;
 

@@ -15,5 +15,5 @@ endfunction()
 
 file(REMOVE_RECURSE ${FOLDER})
 file(MAKE_DIRECTORY ${FOLDER})
-file(COPY ${SOURCE}/CMakeLists.txt ${SOURCE}/bench ${SOURCE}/library ${SOURCE}/model ${SOURCE}/python ${SOURCE}/rtl
-  ${SOURCE}/sim ${SOURCE}/scenes DESTINATION ${FOLDER})
+file(COPY ${SOURCE}/CMakeLists.txt ${SOURCE}/bench ${SOURCE}/library ${SOURCE}/model
+  ${SOURCE}/python ${SOURCE}/rtl ${SOURCE}/sim ${SOURCE}/scenes DESTINATION ${FOLDER})
