@@ -126,8 +126,8 @@ module rc_pixel_colour (
 
     assign valid[0]   = enters;
     assign is_last[0] = left_q == 2'd1;
-    assign value[ValueW-1:0]   = fires ? channels[ValueW-1:0] : rest_q[ValueW-1:0];
-    assign found[Stages-1:0]   = '0;
+    assign value[ValueW-1:0] = fires ? channels[ValueW-1:0] : rest_q[ValueW-1:0];
+    assign found[Stages-1:0] = '0;
 
     for (genvar s = 0; s < Stages; s++) begin : gen_stage
       localparam int unsigned Step = 1 << (Stages - 1 - s);   // weight of the stage's bit
@@ -139,7 +139,8 @@ module rc_pixel_colour (
       always_comb begin
         threshold = '0;
         for (int unsigned b = 0; b < Bytes; b += 2 * Step)
-          if (found[s*Stages +: Stages] == Stages'(b)) threshold = Thresholds[(b+Step-1)*ValueW +: ValueW];
+          if (found[s*Stages +: Stages] == Stages'(b))
+            threshold = Thresholds[(b+Step-1)*ValueW +: ValueW];
       end
 
       always_ff @(posedge clk_i) begin
@@ -147,19 +148,21 @@ module rc_pixel_colour (
         else         valid_q <= valid[s];
         is_last_q <= is_last[s];
         value_q   <= value[s*ValueW +: ValueW];
-        found_q   <= found[s*Stages +: Stages] | (value[s*ValueW +: ValueW] >= threshold ? Stages'(Step) : Stages'(0));
+        found_q   <= found[s*Stages +: Stages]
+                   | (value[s*ValueW +: ValueW] >= threshold ? Stages'(Step) : Stages'(0));
       end
 
       assign valid[s+1]   = valid_q;
       assign is_last[s+1] = is_last_q;
-      assign value[(s+1)*ValueW +: ValueW]   = value_q;
-      assign found[(s+1)*Stages +: Stages]   = found_q;
+      assign value[(s+1)*ValueW +: ValueW] = value_q;
+      assign found[(s+1)*Stages +: Stages] = found_q;
     end
 
     // ---- Red and green wait for blue.
     logic [15:0] bytes_q;
 
-    always_ff @(posedge clk_i) if (valid[Stages]) bytes_q <= {found[Stages*Stages +: Stages], bytes_q[15:8]};
+    always_ff @(posedge clk_i)
+      if (valid[Stages]) bytes_q <= {found[Stages*Stages +: Stages], bytes_q[15:8]};
 
     assign colour_valid = valid[Stages] && is_last[Stages];
     assign colour       = {found[Stages*Stages +: Stages], bytes_q};
