@@ -16,6 +16,9 @@ if(EXPECT)
 endif()
 file(GLOB_RECURSE sources ${RTL}/*.sv)
 list(FILTER sources EXCLUDE REGEX "rc_pkg\\.sv$")
+if(NOT EXISTS ${RTL}/board/${TOP}.sv)   # a chip of several pipelines has no board
+  list(FILTER sources EXCLUDE REGEX "/board/")
+endif()
 list(SORT sources)
 list(JOIN sources "\" \"" sources)   # in quotes: a folder may have a space in its name
 set(script "read_verilog -lib +/ecp5/cells_sim.v +/ecp5/cells_bb.v\n")
