@@ -17,7 +17,7 @@ endif()
 file(GLOB_RECURSE sources ${RTL}/*.sv)
 list(FILTER sources EXCLUDE REGEX "rc_pkg\\.sv$")
 if(NOT EXISTS ${RTL}/board/${TOP}.sv)   # a chip of several pipelines has no board
-  list(FILTER sources EXCLUDE REGEX "/board/")
+  list(FILTER sources EXCLUDE REGEX "/board/[^/]*$")
 endif()
 list(SORT sources)
 list(JOIN sources "\" \"" sources)   # in quotes: a folder may have a space in its name
