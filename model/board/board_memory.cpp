@@ -11,7 +11,7 @@ void check_board_clock(const Config& config, int khz) {
     if (!config.is_board()) return;
     if (khz < ScreenTiming::khz)
         throw UserError("dram=board needs a clock of at least " + std::to_string(ScreenTiming::khz / 1000) +
-                        " MHz, that of the screen's pixels");
+                        " MHz, the screen's pixel clock");
     check_sdram_clock(sdram_part(config.board_sdram), khz);
 }
 

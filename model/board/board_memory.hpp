@@ -63,8 +63,8 @@ public:
     /// One clock edge, with the accepted request and the accepted pixel, or null.
     void clock(const Line* request, const Place* pixel);
 
-    /// Cycles since the construction, without those of start(): with data on the bus, with a request that
-    /// waits for its row or its turn, with a request that waits for a refresh, and without a request.
+    /// A cycle has data on the bus, a request that waits for its row or its turn, a request that waits for a
+    /// refresh, or no request. cycles() counts since the construction, without the cycles of start().
     enum class Outcome { busy, latency, refresh, starved };   // as MemoryOutcome
     std::uint64_t cycles(Outcome outcome) const { return outcomes_[std::size_t(outcome)]; }
     std::uint64_t reads() const { return reads_; }       ///< lines for the chip

@@ -35,7 +35,7 @@ public:
     /// id_bits: width of the chip's ids.
     MemoryClients(const SdramClocks& clocks, int id_bits);
 
-    /// Returns the clients whose request would be accepted in this cycle: at most one of those with an offer.
+    /// Returns the clients whose request would be accepted in this cycle: at most one with an offer.
     struct Ready {
         bool chip = false, scan = false, pixels = false, host = false;
         friend bool operator==(const Ready&, const Ready&) = default;

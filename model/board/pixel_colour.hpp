@@ -9,8 +9,8 @@
 namespace rayclock {
 
 /// Returns the colour that the screen shows for a hit of a chip that does not shade: red, green, blue. The
-/// bits of the primitive's number plus 1 go to red, green and blue in turn, the lowest to the highest bit of
-/// red (colour map of labels, PASCAL VOC development kit). Black if nothing was hit.
+/// bits of the primitive's number plus 1 go to red, green and blue in turn. The lowest bit becomes the
+/// highest bit of red (colour map of labels, PASCAL VOC development kit). Black if nothing was hit.
 constexpr std::array<std::uint8_t, 3> label_colour(bool found, std::uint32_t primitive) {
     std::array<std::uint8_t, 3> colour{};
     const std::uint32_t label = primitive + 1;

@@ -28,20 +28,19 @@ struct ShownPicture {
     bool operator==(const ShownPicture&) const = default;
 };
 
-/// Returns the largest time between two lines, in cycles of the chip, at which a memory that serves scan-out
-/// only when it is urgent can never cause an underrun. A row of blocks is shown for four lines of the screen,
-/// or eight if doubled, and in this time the next row falls due. The sum of this time and of the memory's
-/// latency must be at most worst_delay_cycles(), and the latency at most ScanOut::Shape::in_flight times this
-/// time.
+/// Returns the longest time between two lines that causes no underrun, in cycles of the chip. The memory may
+/// serve scan-out only when it is urgent. A row of blocks is shown for four lines of the screen, or eight if
+/// doubled, and in this time the next row falls due. The sum of this time and of the memory's latency must
+/// be at most worst_delay_cycles(). The latency must be at most ScanOut::Shape::in_flight times this time.
 constexpr std::uint32_t worst_line_cycles(const ShownPicture& picture, std::uint32_t chip_khz,
                                           std::uint32_t pixel_khz) {
     const std::uint64_t pixel_clocks = std::uint64_t(ScreenTiming::total_width) * (4U << picture.doubled);
     return std::uint32_t(pixel_clocks * chip_khz / (std::uint64_t(pixel_khz) * ((picture.width + 3) / 4)));
 }
 
-/// Returns how many cycles after it falls due a block must have arrived. The last block of a row falls due
-/// when the beam enters the horizontal blank before that row, so the time is the blank and the screen's
-/// pixels left of the block. Four pixel clocks remain for the pipeline.
+/// Returns the longest time from a due block to its last beat, in cycles of the chip. The last block of a row
+/// falls due when the beam enters the horizontal blank before that row. So the time is the blank and the
+/// screen's pixels left of the block. Four pixel clocks remain for the pipeline.
 constexpr std::uint32_t worst_delay_cycles(const ShownPicture& picture, std::uint32_t chip_khz,
                                            std::uint32_t pixel_khz) {
     const std::uint32_t left = (ScreenTiming::shown_width - (picture.width << picture.doubled)) / 2,
@@ -75,7 +74,7 @@ public:
     bool requests() const { return req_valid_; }
     std::uint32_t address() const { return address_; }   ///< a line's number; valid with requests()
     bool is_urgent() const { return req_valid_ && to_request_ >= to_fall_; }
-    /// Pixels that were shown and had not arrived, at most 65535.
+    /// Pixels that had not arrived when they were shown, at most 65535.
     std::uint32_t underruns() const { return underruns_; }
     void clock(const Inputs& in);
 

@@ -42,8 +42,7 @@ struct SdramClocks {
     int rcd = 0, rp = 0, wr = 0, rfc = 0, refi = 0, mrd = 0;
     int ras = 0;   ///< long enough to imply tRC; tRRD needs no gate, because a column command lies between
     int initial_wait = 0, initial_refreshes = 0;
-    int read_delay = 0;   ///< additional clocks until read data are captured; 0 if the SDRAM's clock is
-                          ///< inverted
+    int read_delay = 0;   ///< additional clocks until read data are captured (rc_sdram.sv)
 };
 /// Returns the clocks of a controller at `khz`, with the smallest CAS latency that the chip allows. Throws
 /// UserError if the chip does not allow this clock.

@@ -96,7 +96,8 @@ module rc_board #(
   logic [31:0]                    chip_wr_dat;
   logic                           colour_empty, writer_empty, chip_rst_n_q;
 
-  // While the host holds the chip in reset, the pixels are reset as well.
+  // While the host holds the chip in reset, frame control and the conversion are reset too. The
+  // pixel writer writes its partial blocks.
   always_ff @(posedge clk_i) chip_rst_n_q <= rst_ni && !chip_reset;
 
   rc_frame_control u_frame (

@@ -11,8 +11,8 @@
 // accepted.
 //
 // The answer to chip is valid for one cycle, the one after the line's last beat. A client of
-// writes presents the data of its oldest request and shifts them with `next`. The parameters are
-// those of rc_sdram. model/board/memory_clients.hpp is the model.
+// writes presents the data of its oldest request and shifts them with `next`. The module
+// has the parameters of rc_sdram. model/board/memory_clients.hpp is the model.
 `default_nettype none
 module rc_board_memory #(
   parameter  int unsigned ClkKhz     = 75_000,

@@ -5,6 +5,7 @@
 // The module executes a packet after checking its checksum, and before it reads the next one:
 // - A packet with a wrong checksum is dropped without an answer. So is a partial packet when no
 //   byte comes for QuietCycles cycles. bad_o is high for one cycle each time.
+// - A write of no line or of more than sixteen lines is dropped after its head, without an answer.
 // - A packet with the expected sequence number is executed, once. Its result is kept.
 // - A packet with one of the sixteen numbers before it was executed earlier. Its kept result is
 //   sent again. Lines of memory are read again, which changes nothing.
@@ -273,13 +274,13 @@ module rc_link #(
       session_q <= 1'b0;
     end else begin
       case (state_q)
-        // Receive. A byte equal to the first mark may be the first mark at any place of the hunt.
+        // Receive. After the first mark a byte of the same value may be the first mark instead.
         StMark0: if (takes && rx_data_i == Mark0) state_q <= StMark1;
         StMark1: if (takes && rx_data_i != Mark0) state_q <= rx_data_i == Mark1 ? StHead : StMark0;
         StHead:  if (takes && last) state_q <= StLength;
         StLength: begin
           state_q <= kind == WriteRegister || is_write ? StPayload : StCrc;
-          // A write of no line or of too many has no payload that could be read.
+          // The payload of a write with a wrong count may not fit the buffer.
           if (is_write && (count == '0 || count > 16'(LinesMost))) state_q <= StMark0;
         end
         StPayload: if (takes && last) state_q <= StCrc;

@@ -1,13 +1,14 @@
 // Pixel writer: gathers finished pixels, which come in any order, into blocks of 4x4 pixels and
-// writes the blocks to memory. A block is a line of 64 bytes: 16 words, word 4 * (y % 4) + x % 4,
-// with red in byte 0, green in byte 1, blue in byte 2 and 0 in byte 3. Block (x / 4, y / 4) is
+// writes the blocks to memory. A block is a line of 64 bytes. Word 4 * (y % 4) + x % 4 holds a
+// pixel: red in byte 0, green in byte 1, blue in byte 2 and 0 in byte 3. Block (x / 4, y / 4) is
 // line base_i + (y / 4) * ceil(width_i / 4) + x / 4.
 //
-// Four buffers hold a block each. A pixel enters the buffer of its block, or a free one. A buffer
-// is written, one at a time, the oldest first: if it is full; else if a pixel needs a buffer and
-// none is free; else while flush_i is high. Words without a pixel are masked. A pixel enters every
-// other cycle, until it needs a buffer that is not free. A write takes four cycles, the time until
-// the request is accepted, and its 32 beats, which is longer than 16 pixels need to enter.
+// Four buffers hold a block each. A pixel enters the buffer of its block, or a free one. Buffers
+// are written one at a time. The oldest full buffer goes first. If none is full, the oldest buffer
+// is written in two cases: a pixel needs a buffer and none is free, or flush_i is high. Words
+// without a pixel are masked. A pixel enters every other cycle, until it needs a buffer that is not
+// free. A write takes four cycles, the time until the request is accepted, and its 32 beats. This
+// is longer than 16 pixels need to enter.
 //
 // base_i and width_i may change only while empty_o is high. Raise flush_i after the last pixel:
 // each pixel that comes while it is high may cost a write of its own. empty_o is high when no

@@ -6,14 +6,14 @@
 // spread. Only the ratio of the two parameters matters, and it must be the ratio of the clocks. A
 // tick's pixel leaves four cycles later, without back-pressure.
 //
-// The picture lies in memory in blocks of 4x4 pixels, one line of 64 bytes each, so its lines are
+// The picture lies in memory in blocks of 4x4 pixels, one line of 64 bytes each. So its lines are
 // read in ascending order from base_i. Two row buffers hold four rows of pixels each. While the
 // beam shows a row of blocks, the next one is fetched. A row buffer is opened for fetching when
 // the beam leaves its last pixel.
 //
 // Blocks fall due at an even pace: all blocks of a row within the time in which a row is shown.
-// urgent_o is high while the offered block is due. Underruns are impossible if the memory, while
-// urgent_o is high, is as fast as blocks fall due (model/board/scan_out.hpp: worst_line_cycles).
+// urgent_o is high while the offered block is due. Underruns are impossible if the memory keeps
+// this pace while urgent_o is high (conditions: worst_line_cycles() in model/board/scan_out.hpp).
 //
 // base_i, width_i, height_i and double_i are taken over at the start of the vertical blank
 // (takes_o). Lines of the last picture that still arrive are discarded. A picture that does not

@@ -4,7 +4,7 @@
 // Two requests are held: the current one, and the next. Until the first column command of the
 // current line, row commands serve that line. After it they serve the next line, between the
 // column commands. So the row of the next line is precharged and activated while the current line
-// moves, and a stream of lines in open rows or in different banks fills every clock of the bus.
+// moves. A stream of lines in open rows or in different banks fills every clock of the bus.
 // When a refresh is due, the line in progress is finished, all banks are precharged, and all rows
 // wait until the refresh has ended.
 //
@@ -219,7 +219,7 @@ module rc_sdram #(
   logic [RowBits-1:0] sel_row;
   logic [1:0]         sel_bank;
   logic               known_q;     // the row of the selected request has been compared
-  logic               equal_q;     // it is the one that the bank had last
+  logic               equal_q;     // it is the last row of its bank
 
   assign sel_valid = first ? cur_valid_q : nxt_valid_q;
   assign sel_row   = first ? cur_row_q : nxt_row_q;

@@ -1,9 +1,9 @@
 // Serialiser of one TMDS channel: a symbol of 10 bits per pixel clock becomes two bits per shift
 // clock, bit 0 first, for an output cell with double data rate.
 //
-// The shift clock is five times as fast as the pixel clock, with a constant phase. pixel_toggle_i
+// The shift clock has five times the pixel clock's frequency and a constant phase. pixel_toggle_i
 // changes with every pixel clock. Its change is seen one shift clock later, and the symbol is
-// loaded at the end of the next one, so symbol_i is read in the middle of its time.
+// loaded at the end of the next one. So symbol_i is read in the middle of its time.
 `default_nettype none
 module rc_serialiser (
   input  logic       shift_clk_i,

@@ -8,7 +8,7 @@
 `default_nettype none
 module rc_tmds (
   input  logic       clk_i,       // the pixel clock
-  input  logic       de_i,        // a byte, else a control symbol
+  input  logic       de_i,        // 1: a byte, 0: a control symbol
   input  logic [7:0] data_i,
   input  logic [1:0] control_i,
   output logic [9:0] symbol_o     // bit 0 is sent first

@@ -1,7 +1,7 @@
-// Video output: takes the pixels of scan-out from the chip's clock to the pixel clock, encodes
-// them as TMDS, and serialises them to two bits per shift clock and channel.
+// Video output: takes the pixels of scan-out to the pixel clock, encodes them as TMDS, and
+// serialises them to two bits per shift clock and channel.
 //
-// The shift clock is five times as fast as the pixel clock, with a constant phase. tmds_o holds a
+// The shift clock has five times the pixel clock's frequency and a constant phase. tmds_o holds a
 // pair of bits for each of blue, green, red and the clock, blue in the lowest two bits. The lower
 // bit of a pair is sent first. rtl/ecp5/rc_ulx3s.v connects them to output cells. All three
 // resets must be active together. While the queue starts, the screen is in the blank with

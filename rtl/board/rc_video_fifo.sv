@@ -1,8 +1,8 @@
 // Queue from the chip's clock to the pixel clock for a stream with the same average rate on both
 // sides. Depth is a power of two, at least 8.
 //
-// The input has no back-pressure: the writer is a tick generator that is as fast as the pixel
-// clock on average. The output starts when half of the queue is filled, and from then on takes an
+// The input has no back-pressure: the writer is a tick generator with the pixel clock's average
+// frequency. The output starts when half of the queue is filled, and from then on takes an
 // entry every pixel clock. An entry is visible to the reader after two to three pixel clocks. If
 // an entry is missing, the output stops until half of the queue is filled again.
 //

@@ -1,9 +1,10 @@
-// The top of a ULX3S board (LFE5U-85F): clocks, resets and input-output cells around rc_board. It is for
-// synthesis only; ulx3s.lpf has its pins. Ports carry the names of the board's schematic.
+// The top of a ULX3S board (LFE5U-85F): clocks, resets and input-output cells around rc_board. It
+// is for synthesis only; ulx3s.lpf has its pins. Ports carry the names of the board's schematic.
 //
-// One PLL makes all clocks from 25 MHz: the chip's, 125 MHz and 25 MHz for the screen, and the SDRAM's,
-// which is the chip's clock shifted by half a period. CLK_KHZ is 75000 (VCO 750 MHz) or 62500 (625 MHz).
-// READ_DELAY 1: read data take more than half a period from the SDRAM's clock to the input register.
+// One PLL makes all clocks from 25 MHz: the chip's clock, 125 MHz and 25 MHz for the screen, and
+// the SDRAM's clock, which lags the chip's by half a period. CLK_KHZ is 75000 (VCO 750 MHz) or
+// 62500 (625 MHz). ReadDelay of rc_board is 1: read data take more than half a period from the
+// SDRAM's clock to the input register.
 `default_nettype none
 module rc_ulx3s #(
   parameter integer CLK_KHZ     = 75000,
@@ -63,8 +64,8 @@ module rc_ulx3s #(
     .PHASESEL0(1'b0), .PHASESEL1(1'b0), .PHASEDIR(1'b1), .PHASESTEP(1'b1), .PHASELOADREG(1'b1),
     .PLLWAKESYNC(1'b0), .ENCLKOP(1'b0));
 
-  // ---- Resets: 65,536 cycles after the PLL locks or the button is released, longer than a cache takes
-  // to clear its tags. The other domains leave the reset after the chip's.
+  // ---- Resets end 65,536 cycles after the PLL locks or the button is released. A cache clears its
+  // tags in less time. The other domains leave the reset after the chip's.
   reg [16:0] wait_q = 17'd0;
   reg [1:0]  button_q = 2'd0;
   reg [1:0]  pixel_reset_q = 2'd0, shift_reset_q = 2'd0;

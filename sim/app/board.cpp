@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* simulated = "simulated";
 constexpr int port_baud = 3'000'000;
-/// The wire of a simulated board is as fast as its UART allows, because each cycle costs time.
+/// Cycles of a bit on the wire of a simulated board: few, because each cycle costs time. rc_baud needs four.
 constexpr int simulated_cycles_per_bit = 5;
 
 struct BoardOptions {
@@ -65,7 +65,7 @@ void declare_board(Parser& parser, BoardOptions& o) {
 /// Ends every wait for a board at Ctrl-C.
 class StoppableChannel : public Channel {
 public:
-    /// slice: the longest wait without a look at Ctrl-C, in the channel's time.
+    /// slice: the longest wait without a check for Ctrl-C, in the channel's time.
     StoppableChannel(Channel& inner, LinkTime slice) : inner_(inner), slice_(slice) {}
 
     Moved exchange(std::span<const std::uint8_t> out, std::span<std::uint8_t> in, LinkTime most) override {
@@ -85,8 +85,8 @@ void check_beam(int khz) {
     constexpr int step = 5;
     if (khz % step != 0)
         throw UserError(
-            fmt::format("--clock {:g}: a frame of the screen lasts no whole number of cycles; "
-                        "the clock must be a multiple of {:g} MHz",
+            fmt::format("--clock {:g}: a frame of the screen must last a whole number of cycles, "
+                        "so the clock must be a multiple of {:g} MHz",
                         khz / 1e3, step / 1e3));
 }
 

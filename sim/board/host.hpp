@@ -19,7 +19,7 @@ struct BoardFrame {
     std::uint64_t cycles = 0;           ///< of the chip
     std::uint64_t written_cycles = 0;   ///< until the last pixel is in memory
     Accounts accounts;                  ///< of all units except the memory
-    std::uint32_t underruns = 0;        ///< pixels that the screen showed too late, since the last reset
+    std::uint32_t underruns = 0;        ///< pixels that came too late for the screen, since the reset
     std::vector<std::array<std::uint8_t, 3>> pixels;   ///< [y * width + x]: red, green, blue
 };
 

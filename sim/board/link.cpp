@@ -222,7 +222,8 @@ BoardIdentity BoardLink::hello() {
         return UserError(fmt::format("{}: {}", settings_.name, what));
     };
     if (const std::uint32_t magic = read(BoardRegister::magic); magic != board_magic)
-        throw strange(fmt::format("the device is no rayclock board (its register 0 holds {:#010x})", magic));
+        throw strange(
+            fmt::format("the device is not a rayclock board (its register 0 holds {:#010x})", magic));
     BoardIdentity board;
     board.version = read(BoardRegister::version);
     if (board.version != link_version)
@@ -292,7 +293,7 @@ std::uint64_t BoardLink::lines_that_hold(std::uint32_t first, std::span<const Me
             good += count;
             continue;
         }
-        // The first of these lines that differs: the lines before `good` hold, and one before `bad` does not.
+        // Finds the first line that differs: all lines before `good` are equal, and one before `bad` differs.
         std::uint64_t bad = good + count;
         while (bad - good > 1) {
             const std::uint64_t half = (bad - good) / 2;

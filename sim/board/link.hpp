@@ -92,7 +92,7 @@ public:
     /// Reads lines of memory from line `first` on.
     void read_lines(std::uint32_t first, std::span<MemoryLine> lines);
 
-    /// Writes lines of memory from line `first` on, but not the first `done` of them. Counts in `done` the
+    /// Writes lines of memory from line `first` on, except the first `done` lines. Counts in `done` the
     /// lines that the board has acknowledged. After LinkLost a further call with the same arguments continues
     /// from there. After BoardReset, `done` must come from lines_that_hold().
     void upload(std::uint32_t first, std::span<const MemoryLine> lines, std::uint64_t& done,
@@ -102,7 +102,7 @@ public:
         upload(first, lines, done);
     }
 
-    /// Returns how many of the lines, from the beginning on, memory holds already. The board computes
+    /// Returns the number of lines before the first one that memory does not hold yet. The board computes
     /// checksums, so few bytes are sent.
     std::uint64_t lines_that_hold(std::uint32_t first, std::span<const MemoryLine> lines);
     /// Returns the CRC-32 of 1 to 65535 lines of memory.

@@ -12,8 +12,8 @@ namespace rayclock {
 class Port : public Channel {
 public:
     /// Opens a port at a rate in bits per second, up to 3,000,000, and discards bytes that wait in it. A
-    /// pseudo-terminal takes any of these rates. Throws UserError if there is no such port, if the user may
-    /// not open it, if it is no terminal, if another program uses it, or if it does not have the rate.
+    /// pseudo-terminal takes any of these rates. Throws UserError if the port is missing, is not a
+    /// terminal or lacks the rate. Throws it too if the user may not open it or another program uses it.
     Port(const std::filesystem::path& path, std::uint32_t baud);
     ~Port() override;
     Port(const Port&) = delete;

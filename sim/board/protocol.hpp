@@ -83,13 +83,13 @@ struct LinkAnswer {
     LinkReason reason = LinkReason::done;   ///< may be an unknown number
     std::uint8_t sequence = 0;
     std::uint32_t value = 0;
-    std::uint16_t count = 0;           ///< that of the command; of a refusal: the reason
-    std::vector<MemoryLine> lines{};   ///< those of read_lines, else none
+    std::uint16_t count = 0;           ///< as in the command; in a refusal: the reason
+    std::vector<MemoryLine> lines{};   ///< of read_lines; empty in other answers
 };
 
-/// Finds answers in received bytes. Accepts any bytes; those that belong to no sound packet are discarded one
-/// by one. So an answer is found if all of its bytes arrive and those before it are complete packets or were
-/// given up. Memory: the bytes of one packet and of the last push.
+/// Finds answers in received bytes. Accepts any bytes, and discards bytes outside sound packets one by one.
+/// It finds an answer if all bytes of the answer arrive, and if the bytes before them form complete packets
+/// or were given up. Memory: the bytes of one packet and of the last push.
 class AnswerDecoder {
 public:
     void push(std::span<const std::uint8_t> bytes);
@@ -108,7 +108,7 @@ private:
     std::uint64_t discarded_ = 0;
 };
 
-/// Returns the CRC-32 (IEEE 802.3) of bytes, continued from the checksum of those before them.
+/// Returns the CRC-32 (IEEE 802.3) of bytes, continued from the checksum of the bytes before them.
 std::uint32_t link_checksum(std::span<const std::uint8_t> bytes, std::uint32_t before = 0);
 
 }   // namespace rayclock

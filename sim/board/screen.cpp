@@ -56,8 +56,8 @@ Screen::Decoded Screen::decode(std::size_t channel, std::uint32_t symbol) {
     }
     const int ones = std::popcount(byte);
     if (by_xor == (ones > 4 || (ones == 4 && !(byte & 1))))
-        error(fmt::format("{}: the {} symbol {:010b} of byte {} has bit 8 as DVI does not prescribe.",
-                          place(), channel_names[channel], symbol, byte));
+        error(fmt::format("{}: the {} symbol {:010b} of byte {} has the wrong bit 8.", place(),
+                          channel_names[channel], symbol, byte));
     // The byte as sent must not increase the imbalance. If it cannot, bit 9 is the opposite of bit 8.
     const int imbalance = std::popcount(sent) - 4;
     if (disparity == 0 || imbalance == 0 ? inverted == by_xor : (imbalance > 0) == (disparity > 0))

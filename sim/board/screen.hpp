@@ -35,7 +35,7 @@ struct ScreenMode {
 
 /// Takes one set of symbols per pixel clock. It checks that each symbol is the one that DVI prescribes, and
 /// that syncs, porches and pixels have their places. Checks of lines begin with the first horizontal sync,
-/// those of frames with the first vertical sync.
+/// and checks of frames with the first vertical sync.
 class Screen {
 public:
     explicit Screen(const ScreenMode& mode = {});

@@ -1,4 +1,4 @@
-// The chip beside the model of the board's memory: model and RTL in lockstep, also with disturbed traffic.
+// The chip with the model of the board's memory: model and RTL in lockstep, also with disturbed traffic.
 #include <catch2/catch.hpp>
 
 #include "sim/run/request/request.hpp"

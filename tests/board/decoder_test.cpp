@@ -16,7 +16,7 @@ std::vector<MemoryLine> any_lines(Rng& rng, std::size_t count) {
     return lines;
 }
 
-/// Garbage of marks, kinds and heads, as harmful as random bytes can be.
+/// Garbage with many marks, kinds and heads.
 std::vector<std::uint8_t> garbage(Rng& rng) {
     std::vector<std::uint8_t> bytes(std::size_t(rng.below(60)));
     for (std::uint8_t& byte : bytes) {

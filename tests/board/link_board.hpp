@@ -108,7 +108,7 @@ private:
         bus_wait_ = asks && !answers ? bus_wait_ + 1 : 0;
     }
 
-    /// One request at a time. Beats of a write come with gaps, those of a read in a row.
+    /// One request at a time. Beats of a write have gaps between them, beats of a read have none.
     void drive_memory() {
         set(*ready_, 0);
         set(*next_, 0);
@@ -267,7 +267,7 @@ private:
     bool was_offered_ = false;
 };
 
-/// What memory and registers must hold, beside a link: writes go to both, and reads are compared.
+/// The expected contents of memory and registers. Writes go to them and to a link; reads are compared.
 class LinkTwin {
 public:
     LinkTwin(LinkBoard& board, BoardLink& link, int seed)

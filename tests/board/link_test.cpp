@@ -393,7 +393,7 @@ TEST_CASE("a board that does not answer is one sentence", "[link]") {
     link.hello();
     CHECK(link.read_register(RegisterSpace::chip, 1) == board.chip[1]);
     board.board[0] = 0x1234;
-    REQUIRE_THROWS_WITH(link.hello(), Catch::Contains("no rayclock board"));
+    REQUIRE_THROWS_WITH(link.hello(), Catch::Contains("not a rayclock board"));
     board.board[0] = board_magic, board.board[1] = 2;
     REQUIRE_THROWS_WITH(link.hello(),
                         "test: the board speaks version 2 of the link, and this program version 1");

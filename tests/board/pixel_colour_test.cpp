@@ -29,7 +29,7 @@ std::uint32_t expected(const HitOut& hit, const Config& config) {
     return bytes_of(colour);
 }
 
-/// The RTL beside its model. Both see the same pixels, and every cycle compares them.
+/// The RTL with its model. Both see the same pixels, and every cycle compares them.
 class Pair {
 public:
     explicit Pair(const Config& config)

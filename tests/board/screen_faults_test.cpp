@@ -183,7 +183,7 @@ TEST_CASE("the screen reports symbols that DVI does not prescribe", "[board][jud
     int byte_errors = 0, balance_errors = 0;
     for (int i = 0; i < 10; ++i) {
         const std::string error = first_error(1, std::uint16_t(sent ^ 1 << i));
-        byte_errors += error.find("bit 8 as DVI does not prescribe") != error.npos;
+        byte_errors += error.find("has the wrong bit 8") != error.npos;
         balance_errors += error.find("increases the disparity") != error.npos;
     }
     REQUIRE(byte_errors > 0);

@@ -111,7 +111,7 @@ TEST_CASE("every byte at every disparity is balanced and comes back", "[board][t
     REQUIRE(reached == std::vector<int>{-8, -6, -4, -2, 0, 2, 4, 6, 8});
 }
 
-TEST_CASE("the control symbols are those of DVI", "[board][tmds]") {
+TEST_CASE("each control symbol is the one that DVI prescribes", "[board][tmds]") {
     Encoder encoder;
     const std::array<std::uint16_t, 4> expected{0x354, 0x0ab, 0x154, 0x2ab};
     for (std::uint8_t control = 0; control < 4; ++control) {

@@ -162,7 +162,7 @@ TEST_CASE("a stream of reads fills the bus of the SDRAM except during refreshes"
     }
 }
 
-TEST_CASE("a lone read of the SDRAM takes what its gates say, to the cycle", "[sdram][speed]") {
+TEST_CASE("a lone read of the SDRAM has the latency of its gates, to the cycle", "[sdram][speed]") {
     const int khz = any_khz();
     const SdramPart& part = any_sdram();
     CAPTURE(khz, part.name);

@@ -1,4 +1,4 @@
-// Frames on the simulated board, from the host's wire to memory and screen, beside the model's.
+// Frames on the simulated board, from the host's wire to memory and screen, compared with the model's.
 #include <catch2/catch.hpp>
 
 #include "sim/board/host.hpp"

@@ -8,9 +8,9 @@
 
 namespace rayclock {
 
-/// Returns the ports of a module of rtl/board, which is named without parameters; nothing for any other
-/// module. Clocks and resets besides clk_i and rst_ni are ports that the user drives. A port that exists in
-/// both directions is called <name> as an input and <name>_out as an output.
+/// Returns the ports of a module of rtl/board, which is named without parameters. Returns nothing for any
+/// other module. Clocks and resets besides clk_i and rst_ni are ports that the user drives. A port that
+/// exists in both directions is called <name> as an input and <name>_out as an output.
 std::vector<PortSpec> board_ports(const std::string& module);
 
 /// Returns the sources that a module needs, which may be named with parameters.

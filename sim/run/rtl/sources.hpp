@@ -36,8 +36,8 @@ void restore_modules();
 struct RtlText {
     std::string name, text;
 };
-/// Which sources a build needs: those of the chip, or also those of the board around it (rtl/board). So a
-/// change of the board builds no chip again.
+/// The sources that a build needs: the chip's, or also the sources of the board around it (rtl/board). So a
+/// change of the board does not rebuild a chip.
 enum class RtlScope { chip, board };
 
 /// Returns the texts of lint.vlt, which holds the waivers, and of rtl_files(). Verilator does not warn about

@@ -37,8 +37,8 @@ std::array<Code, 4> palette_of(const std::array<std::uint8_t, 8>& block) {
 
 std::uint8_t alpha_bit(std::uint8_t alpha) { return alpha >= 128 ? 255 : 0; }
 
-/// Return the logarithms of the number of lines of a level, and of the lines in a row of tiles, for tiles of
-/// 2^tile x 2^tile texels.
+/// For tiles of 2^tile x 2^tile texels, return the logarithm of the number of lines of a level, and of the
+/// lines in a row of tiles.
 int level_lines_log(const TexRecord& record, std::uint32_t level, int tile) {
     return std::max(int(record.log_width) - int(level) - tile, 0) +
            std::max(int(record.log_height) - int(level) - tile, 0);

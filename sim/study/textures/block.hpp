@@ -25,8 +25,8 @@ TexelLevel through_rgb565(const TexelLevel& level);
 /// Returns the colours of one level with the alpha of another.
 TexelLevel with_alpha(TexelLevel colours, const TexelLevel& alpha);
 
-/// A line of blocks: a line of memory with four blocks for a tile of 8 x 8 texels, two blocks for its border
-/// of 17 texels to the right and below, and a bit of alpha for each of these 81 texels.
+/// A line of blocks is a line of memory with four blocks for a tile of 8 x 8 texels. Two more blocks hold its
+/// border of 17 texels to the right and below. Each of these 81 texels has a bit of alpha.
 constexpr int block_tile_log = 3, blocks_of_line = 6;
 constexpr int block_line_bits =
     blocks_of_line * block_bits + ((1 << block_tile_log) + 1) * ((1 << block_tile_log) + 1);

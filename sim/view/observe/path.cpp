@@ -48,7 +48,7 @@ public:
 private:
     RayPurpose next_ = RayPurpose::camera;
     int depth_ = 0, surface_ = -1;
-    bool goes_on_ = false;        ///< the next ray continues through a hole: it is no bounce
+    bool goes_on_ = false;        ///< the next ray continues through a hole, so it is not a bounce
     std::vector<int> at_depth_;   ///< the last camera ray or bounce at each depth
 };
 

@@ -25,8 +25,8 @@ inline Config fitted_chip(const Scene& scene, const Whitted& settings, int level
     return c;
 }
 
-/// Judges a picture of the model, and replays it. Requires that the judge accepts every ray and colour, that
-/// every pixel that differs from the reference has a cause, and that a third of the pixels send a ray to a
+/// Judges a picture of the model, and replays it. Requires that the judge accepts every ray and colour, and
+/// that every pixel that differs from the reference has a cause. A third of the pixels must send a ray to a
 /// light. Returns the trace.
 inline Trace check_picture(const Scene& scene, FrameSize size, const Whitted& settings,
                            const Config& config) {
