@@ -47,7 +47,7 @@ void declare_board(Parser& parser, BoardOptions& o) {
     finished_options(parser, o.finish);
     view_options(parser, o.view);
     size_option(parser, o.size);
-    clock_option(parser, o.clock);
+    one_clock_option(parser, o.clock);
     config_options(parser, o.config);
     parser
         .option(
