@@ -160,10 +160,13 @@ std::string counter_sentence(const Config& config, const Accounts& model, const 
     return {};
 }
 
-void look_at(const SimulatedBoard& board, BoardCheck& check, const std::vector<Bytes>& screen) {
-    check.wrong_screen_pixels = differences(screen, board.screen().picture().pixels);
+void look_at_memory(const SimulatedBoard& board, BoardCheck& check) {
     for (const SdramChip::Violation& violation : board.sdram().violations())
         check.faults.push_back(violation.text);
+}
+
+void look_at_screen(const SimulatedBoard& board, BoardCheck& check, const std::vector<Bytes>& screen) {
+    check.wrong_screen_pixels = differences(screen, board.screen().picture().pixels);
     for (const std::string& error : board.screen().errors()) check.faults.push_back(error);
     for (const std::string& error : board.receiver().errors()) check.faults.push_back(error);
 }
@@ -214,9 +217,12 @@ int run_board(const BoardOptions& o) {
     check.wrong_pixels = differences(expected, check.board.pixels);
     if (board && !o.dark) {
         board->watch(2, progress);
-        look_at(*board, check, expected_screen(size, expected));
+        look_at_screen(*board, check, expected_screen(size, expected));
     }
-    if (board) check.simulated_cycles = board->cycle();
+    if (board) {
+        look_at_memory(*board, check);
+        check.simulated_cycles = board->cycle();
+    }
     const double seconds = watch.seconds();
 
     if (!o.json.is_alone()) {
