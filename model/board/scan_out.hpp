@@ -9,6 +9,7 @@ struct ScreenTiming {
     static constexpr std::uint32_t shown_width = 640, total_width = 800;
     static constexpr std::uint32_t shown_height = 480, total_height = 525;
     static constexpr int khz = 25'000;   ///< of the pixel clock
+    static constexpr double frames_per_second() { return khz * 1e3 / (total_width * total_height); }
 };
 
 /// A picture in memory, as scan-out takes it over. It lies in blocks of 4x4 pixels, one line of 64 bytes

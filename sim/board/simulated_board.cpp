@@ -10,7 +10,7 @@ namespace rayclock {
 
 namespace {
 
-constexpr std::uint64_t pixel_khz = 25'000, shift_khz = 5 * pixel_khz;
+constexpr std::uint64_t shift_khz = 5 * ScreenTiming::khz;
 
 std::string module_of(const Config& config, const BoardShape& shape) {
     if (config.pipelines != 1)
