@@ -160,6 +160,12 @@ std::string counter_sentence(const Config& config, const Accounts& model, const 
     return {};
 }
 
+/// Returns the time after which a board that draws counts as hung: twice the model's frame, and a quarter of
+/// a second for the wait for the vertical blank and for the link.
+LinkTime longest_frame(std::uint64_t cycles, int khz) {
+    return LinkTime(2000 * cycles / std::uint64_t(khz) + 250'000);
+}
+
 void look_at_memory(const SimulatedBoard& board, BoardCheck& check) {
     for (const SdramChip::Violation& violation : board.sdram().violations())
         check.faults.push_back(violation.text);
@@ -212,7 +218,7 @@ int run_board(const BoardOptions& o) {
     BoardHost host(link, config, part);
     std::uint64_t done = 0;
     host.load(job.image, done, progress);
-    check.board = host.run(job.frame, progress);
+    check.board = host.run(job.frame, longest_frame(check.model.cycles, khz), progress);
     check.first_counter = counter_sentence(config, check.model.accounts, check.board.accounts);
     check.wrong_pixels = differences(expected, check.board.pixels);
     if (board && !o.dark) {
