@@ -237,9 +237,10 @@ int run_board(const BoardOptions& o) {
         fmt::print("  cycles: model {}, board {}; {} more until the last pixel is in memory\n",
                    grouped(check.model.cycles), grouped(check.board.cycles),
                    grouped(check.board.written_cycles - check.board.cycles));
-        fmt::print("  {:.2f} frames per second without waits; a board starts at most {:.1f}, one per frame of "
-                   "its screen\n",
-                   khz * 1e3 / double(check.board.written_cycles), ScreenTiming::frames_per_second());
+        fmt::print(
+            "  {:.2f} frames per second without waits; a board starts at most {:.1f}, one per frame of "
+            "its screen\n",
+            khz * 1e3 / double(check.board.written_cycles), ScreenTiming::frames_per_second());
         fmt::print("  counters: {}\n", check.first_counter.empty() ? "equal" : check.first_counter);
         fmt::print("  pixels: {} of {} differ\n", check.wrong_pixels, expected.size());
         if (check.wrong_screen_pixels)

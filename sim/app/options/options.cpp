@@ -30,8 +30,7 @@ void clock_option(Parser& parser, std::string& clocks) {
 }
 
 void one_clock_option(Parser& parser, std::string& clock) {
-    parser
-        .option("--clock", clock, "the clock in MHz; fmax: the clock that rayclock chip routed")
+    parser.option("--clock", clock, "the clock in MHz; fmax: the clock that rayclock chip routed")
         .with_default();
 }
 
