@@ -6,8 +6,6 @@
 
 namespace rayclock {
 
-std::uint64_t config_hash(const Config& config) {
-    return hash_of(rc_package(config));
-}
+std::uint64_t config_hash(const Config& config) { return hash_of(rc_package(config)); }
 
 }   // namespace rayclock

@@ -14,9 +14,7 @@ namespace rayclock::jobs {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-std::string hash_text(const std::string& text) {
-    return fmt::format("{:016x}", hash_of(text));
-}
+std::string hash_text(const std::string& text) { return fmt::format("{:016x}", hash_of(text)); }
 
 namespace {
 
