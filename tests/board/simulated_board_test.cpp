@@ -180,8 +180,9 @@ TEST_CASE("a frame that does not end in time is one sentence", "[simulated]") {
     BoardLink link(board, {.baud = shape_of({}).baud, .hello = 1});
     BoardHost host(link, config, sdram_part("as4c32m16sb"));
     // The blank, in which the frame would start, is up to 16.8 ms away.
-    CHECK_THROWS_WITH(host.run({.width = 16, .height = 12}, LinkTime(1000)),
-                      "the board hangs: after 1 ms the frame has not ended");
+    Frame frame;
+    frame.width = 16, frame.height = 12;
+    CHECK_THROWS_WITH(host.run(frame, LinkTime(1000)), "the board hangs: after 1 ms the frame has not ended");
 }
 
 TEST_CASE("the smaller SDRAM has the rows of its model", "[simulated][slow]") {
