@@ -1,6 +1,8 @@
 // A cycle of the board's memory.
 #include "model/board/board_memory.hpp"
 
+#include <algorithm>
+
 #include "model/base/error.hpp"
 
 namespace rayclock {
@@ -29,7 +31,7 @@ void BoardMemory::start(std::uint32_t width, std::uint32_t height) {
     while (colour_.holds() || !writer_.empty()) step(nullptr, nullptr, true);
     drawn_base_ = Screens::base(part_, 0);
     shown_ = {Screens::base(part_, 1), width, height, Screens::doubles(width, height)};
-    while (!clients_.init_done() || !scan_.takes()) step(nullptr, nullptr, false);
+    for (skip_quiet(); !clients_.init_done() || !scan_.takes(); skip_quiet()) step(nullptr, nullptr, false);
     for (int i = 0; i < start_cycles; ++i) step(nullptr, nullptr, false);
 }
 
@@ -62,6 +64,15 @@ void BoardMemory::step(const Line* request, const Place* pixel, bool flush) {
     colour_.clock(leaves, pixel);
     clients_.clock(offers_);
     offer();
+}
+
+/// Skips the cycles in which nothing changes without the chip. No pixel may be inside.
+void BoardMemory::skip_quiet() {
+    if (!writer_.sleeps(false)) return;
+    const std::uint64_t cycles = std::min(clients_.quiet_cycles(), scan_.quiet());
+    scan_.skip(cycles);
+    clients_.skip(cycles);
+    colour_.skip(cycles);
 }
 
 /// Determines what scan-out and pixel writer offer in the next cycle, and whether the chip may request.

@@ -75,6 +75,7 @@ public:
 
 private:
     void step(const Line* request, const Place* pixel, bool flush);
+    void skip_quiet();
     void offer();
 
     SdramPart part_;

@@ -95,15 +95,16 @@ std::uint32_t ScanOut::ticks_to_event() const {
                             blank = height - ScreenTiming::shown_height;
     // The beam's place, in ticks and lines since the start of the vertical blank.
     const std::uint32_t line = (v_ + blank) % height, place = line * width + h_;
-    const std::uint32_t to_take = (width * height - place) % (width * height);
-    if (!shown_.is_shown() || opened_ >= shown_.blocks_down()) return to_take;
+    const auto to = [&](std::uint32_t other) { return (width * height + other - place) % (width * height); };
+    const std::uint32_t to_beam = std::min(to(0), to(width * height - near));
+    if (!shown_.is_shown() || opened_ >= shown_.blocks_down()) return to_beam;
     const std::uint32_t lines = 4U << shown_.doubled, shown_height = shown_.height << shown_.doubled,
                         top = blank + (ScreenTiming::shown_height - shown_height) / 2;
     // The line at whose end a row of blocks ends: this line, or a later one.
     const std::uint32_t from = line + (h_ > ScreenTiming::shown_width);
     const std::uint32_t rows = from < top ? 0 : (from - top) / lines;
     const std::uint32_t end = (top + rows * lines + lines - 1) * width + ScreenTiming::shown_width;
-    return std::min(to_take, end - place);
+    return std::min(to_beam, end - place);
 }
 
 std::uint64_t ScanOut::quiet() const {

@@ -9,6 +9,7 @@ struct ScreenTiming {
     static constexpr std::uint32_t shown_width = 640, total_width = 800;
     static constexpr std::uint32_t shown_height = 480, total_height = 525;
     static constexpr int khz = 25'000;   ///< of the pixel clock
+    static constexpr double frames_per_second() { return khz * 1e3 / (total_width * total_height); }
 };
 
 /// A picture in memory, as scan-out takes it over. It lies in blocks of 4x4 pixels, one line of 64 bytes
@@ -69,7 +70,7 @@ public:
     bool takes() const { return ticks() && h_ == 0 && v_ == ScreenTiming::shown_height; }
     /// True 100 pixel clocks before takes(). If the memory is fast enough, no line is in flight then.
     bool nears() const {
-        return ticks() && h_ == ScreenTiming::total_width - 100 && v_ == ScreenTiming::shown_height - 1;
+        return ticks() && h_ == ScreenTiming::total_width - near && v_ == ScreenTiming::shown_height - 1;
     }
     bool requests() const { return req_valid_; }
     std::uint32_t address() const { return address_; }   ///< a line's number; valid with requests()
@@ -78,14 +79,15 @@ public:
     std::uint32_t underruns() const { return underruns_; }
     void clock(const Inputs& in);
 
-    /// Cycles in which no input causes a request, a takeover or a count. 0 while a request or an answer is in
-    /// flight.
+    /// Cycles in which no input causes a request, a takeover or a count, and nears() is false. 0 while a
+    /// request or an answer is in flight.
     std::uint64_t quiet() const;
     /// Has the effect of that many calls of clock(), at most quiet().
     void skip(std::uint64_t cycles);
 
 private:
     static constexpr std::uint32_t beats_of_line = 32, most_underruns = 0xffff, opens_nothing = 0xff;
+    static constexpr std::uint32_t near = 100;   ///< pixel clocks from nears() to takes()
 
     /// A pixel of the picture on its way from the beam to the row buffers.
     struct Fetch {
@@ -96,7 +98,7 @@ private:
     bool ticks() const { return phase_ + shape_.pixel_khz >= shape_.chip_khz; }
     Fetch under_beam() const;
     bool row_ends() const;
-    /// Ticks before the one that opens a row or takes a picture over.
+    /// Ticks before the one that opens a row, takes a picture over, or of nears().
     std::uint32_t ticks_to_event() const;
 
     Shape shape_;

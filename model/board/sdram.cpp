@@ -208,7 +208,7 @@ void Sdram::skip(std::uint64_t cycles) {
         clocks = std::uint64_t(clocks) > cycles ? clocks - int(cycles) : 0;
     };
     for (Bank& bank : banks_) reduce(bank.wait), reduce(bank.precharge);
-    reduce(turn_);
+    reduce(turn_), reduce(refresh_left_);
     refi_ -= int(cycles);
 }
 

@@ -65,7 +65,7 @@ public:
     /// True while a refresh is due or in progress.
     bool refreshing() const { return due_ || refresh_left_ > 0; }
 
-    /// True if no request is held, no beat is in flight, and no refresh is due or in progress.
+    /// True if no request is held, no beat is in flight, and no refresh is due.
     bool is_quiet() const;
     /// Returns the number of cycles, from 0, in which a quiet controller stays so without a request.
     std::uint64_t quiet_cycles() const { return is_quiet() ? std::uint64_t(refi_) : 0; }

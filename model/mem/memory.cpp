@@ -134,7 +134,14 @@ std::array<std::uint64_t, 8> Memory::outcomes() const {
     return sums;
 }
 
-MemoryStats Memory::board_stats() const {
+void Memory::start_frame(std::uint32_t width, std::uint32_t height) {
+    if (!board_) return;
+    const MemoryStats counted = stats();
+    board_->start(width, height);
+    before_frames_ = board_totals() - counted;
+}
+
+MemoryStats Memory::board_totals() const {
     const Sdram& sdram = board_->sdram();
     MemoryStats s;
     s.reads = board_->reads() + board_->scanned();
@@ -146,7 +153,7 @@ MemoryStats Memory::board_stats() const {
 }
 
 MemoryStats Memory::stats() const {
-    if (board_) return board_stats();
+    if (board_) return board_totals() - before_frames_;
     const std::uint64_t scanned = frame_buffer_ ? frame_buffer_->scanned() : 0,
                         pixels = frame_buffer_ ? frame_buffer_->written() : 0;
     const std::uint32_t backlog = frame_buffer_ ? frame_buffer_->backlog() : 0;

@@ -58,10 +58,8 @@ public:
     using Place = BoardMemory::Place;
 
     /// Prepares a frame with this picture. Call it once before the frame's cycle 0. With dram=board it takes
-    /// time that does not count.
-    void start_frame(std::uint32_t width, std::uint32_t height) {
-        if (board_) board_->start(width, height);
-    }
+    /// time that does not count, neither in outcomes() nor in stats().
+    void start_frame(std::uint32_t width, std::uint32_t height);
     /// True if the places of pixels matter: clock() then needs them.
     bool draws() const { return board_.has_value(); }
     bool accepts_pixel() const { return !board_ || board_->accepts_pixel(); }
@@ -109,7 +107,7 @@ private:
     /// True if there is an answer for the chip.
     bool comes() const { return answers() && !is_for_screen(); }
     bool is_for_screen() const { return frame_buffer_ && answers() && coming().id >= first_screen_id_; }
-    MemoryStats board_stats() const;
+    MemoryStats board_totals() const;
     std::uint64_t picture_is_quiet_until() const;
     enum class BusUser { nobody, chip, picture, host };
     BusUser take_turn(const Answer* request, Dram::Answer& what);
@@ -127,6 +125,7 @@ private:
     // At most one of these two is present; the ideal memory needs neither.
     std::optional<DramChannels> dram_;
     std::optional<BoardMemory> board_;
+    MemoryStats before_frames_;   // of the board, in start_frame()
     std::optional<FrameBuffer> frame_buffer_;
     Traffic traffic_;
     Rng rng_;

@@ -47,7 +47,7 @@ void declare_explain(Parser& parser, ExplainOptions& o) {
     finished_options(parser, o.finish);
     view_options(parser, o.view);
     size_option(parser, o.size);
-    parser.option("--clock", o.clock, "the clock in MHz; fmax: what chip has routed").with_default();
+    one_clock_option(parser, o.clock);
     config_options(parser, o.config);
     frames_options(parser, o.frames);
     parser.flag("--no-reference", o.no_reference, "leave out the comparison with the reference");

@@ -45,8 +45,7 @@ void declare_trace(Parser& parser, TraceOptions& o) {
     finished_options(parser, o.finish);
     view_options(parser, o.view);
     size_option(parser, o.size);
-    parser.option("--clock", o.clock, "the clock in MHz; fmax: the clock that rayclock chip routed")
-        .with_default();
+    one_clock_option(parser, o.clock);
     config_options(parser, o.config);
     frames_options(parser, o.frames);
     threads_option(parser, o.threads);

@@ -13,6 +13,7 @@ namespace rayclock {
 namespace {
 
 constexpr std::uint32_t control_reset = 1, control_arm = 2, status_ready = 1, status_written = 2;
+constexpr LinkTime longest_start{250'000};   // of the memory, which needs 200 us
 
 std::vector<MemoryLine> lines_of(const MemoryImage& image) {
     std::vector<MemoryLine> lines(image.words.size() / 16);
@@ -35,7 +36,7 @@ BoardHost::BoardHost(BoardLink& link, const Config& config, const SdramPart& par
     if (board.lines * 64 != part.bytes())
         throw UserError(fmt::format("the board has {} MB of memory, and {} has {} MB", board.lines * 64 >> 20,
                                     part.name, part.bytes() >> 20));
-    while (!(link_.read(BoardRegister::status) & status_ready)) {}
+    wait_for(status_ready, longest_start, "its memory has not started");
     link_.write(BoardRegister::control, control_reset);
     link_.write(BoardRegister::control, 0);
 }
@@ -50,6 +51,13 @@ void BoardHost::load(const MemoryImage& image, std::uint64_t& done, const Progre
     link_.upload(0, lines, done, progress);
 }
 
+void BoardHost::wait_for(std::uint32_t bit, LinkTime most, const char* event) {
+    const LinkTime end = link_.now() + most;
+    for (bool is_last = false; !(link_.read(BoardRegister::status) & bit); is_last = link_.now() >= end)
+        if (is_last)
+            throw UserError(fmt::format("the board hangs: after {} ms {}", most.count() / 1000, event));
+}
+
 std::uint64_t BoardHost::read_counter(std::uint32_t address) {
     const std::uint64_t low = link_.read_register(RegisterSpace::chip, address);
     return low | std::uint64_t(link_.read_register(RegisterSpace::chip, address + 1)) << 32;
@@ -61,7 +69,7 @@ void BoardHost::read_accounts(Accounts& accounts) {
             accounts.units[u][c] = read_counter(counter_address(Unit(u), 0, c));
 }
 
-BoardFrame BoardHost::run(const Frame& frame, const Progress& progress) {
+BoardFrame BoardHost::run(const Frame& frame, LinkTime most, const Progress& progress) {
     const auto chip = [&](std::uint32_t address, std::uint32_t value) {
         link_.write_register(RegisterSpace::chip, address, value);
     };
@@ -77,7 +85,7 @@ BoardFrame BoardHost::run(const Frame& frame, const Progress& progress) {
     link_.write(BoardRegister::height, frame.height);
     link_.write(BoardRegister::doubled, Screens::doubles(frame.width, frame.height));
     link_.write(BoardRegister::control, control_arm);
-    while (!(link_.read(BoardRegister::status) & status_written)) {}
+    wait_for(status_written, most, "the frame has not ended");
 
     BoardFrame result;
     result.cycles = read_counter(register_address("Cycles"));

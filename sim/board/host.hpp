@@ -24,7 +24,7 @@ struct BoardFrame {
 };
 
 /// A board at the other end of a link. All functions throw the exceptions of BoardLink, and UserError
-/// if the board has another configuration or memory than expected.
+/// if the board has another configuration or memory than expected, or does not finish in time.
 class BoardHost {
 public:
     /// Says hello. Throws UserError if the bitstream was made from another configuration. Resets the chip.
@@ -34,9 +34,12 @@ public:
     /// continues after LinkLost.
     void load(const MemoryImage& image, std::uint64_t& done, const Progress& progress = {});
     /// Draws a frame into the picture that is not shown, reads counters and pixels, and shows the picture.
-    BoardFrame run(const Frame& frame, const Progress& progress = {});
+    /// `most`: the longest time from the command to the last pixel in memory.
+    BoardFrame run(const Frame& frame, LinkTime most, const Progress& progress = {});
 
 private:
+    /// Reads the register `status` until it has this bit. `event` ends the sentence of the UserError.
+    void wait_for(std::uint32_t bit, LinkTime most, const char* event);
     std::uint64_t read_counter(std::uint32_t address);
     void read_accounts(Accounts& accounts);
 

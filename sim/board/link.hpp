@@ -115,6 +115,7 @@ public:
         std::uint64_t discarded = 0;   ///< bytes received that belong to no answer
     };
     const Counts& counts() const { return counts_; }
+    LinkTime now() { return channel_.now(); }   ///< of the channel
 
 private:
     struct Sent;

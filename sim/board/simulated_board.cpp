@@ -10,7 +10,7 @@ namespace rayclock {
 
 namespace {
 
-constexpr std::uint64_t pixel_khz = 25'000, shift_khz = 5 * pixel_khz;
+constexpr std::uint64_t shift_khz = 5 * ScreenTiming::khz;
 
 std::string module_of(const Config& config, const BoardShape& shape) {
     if (config.pipelines != 1)
@@ -45,18 +45,9 @@ SimulatedBoard::SimulatedBoard(const Config& config, const BoardShape& shape)
       pixel_rst_(rtl_, "pixel_rst"),
       shift_clk_(rtl_, "shift_clk"),
       shift_rst_(rtl_, "shift_rst"),
-      cke_(rtl_, "sd_cke"),
-      cs_(rtl_, "sd_cs"),
-      ras_(rtl_, "sd_ras"),
-      cas_(rtl_, "sd_cas"),
-      we_(rtl_, "sd_we"),
-      ba_(rtl_, "sd_ba"),
-      a_(rtl_, "sd_a"),
-      dqm_(rtl_, "sd_dqm"),
-      dq_oe_(rtl_, "sd_dq_oe"),
-      dq_out_(rtl_, "sd_dq_out"),
-      dq_in_(rtl_, "sd_dq") {
-    rx_ = 1, dq_in_ = 0, pixel_clk_ = 0, shift_clk_ = 0, pixel_rst_ = 0, shift_rst_ = 0;
+      pins_(rtl_) {
+    pins_.set_dq(0);
+    rx_ = 1, pixel_clk_ = 0, shift_clk_ = 0, pixel_rst_ = 0, shift_rst_ = 0;
     for (int i = 0; i < 10; ++i) {   // the video's registers see the reset
         pixel_clk_ = 1, shift_clk_ = 1;
         rtl_.settle();
@@ -89,9 +80,8 @@ void SimulatedBoard::step() {
     to_host_.see(cycle_, tx_ != 0);
     // The SDRAM's clock is inverted: it samples the pins in the middle of the cycle. Its data reach the input
     // registers in the next cycle.
-    dq_in_ = sdram_.dq().value_or(std::uint16_t(0xdead));
-    sdram_.clock({cke_ != 0, cs_ != 0, ras_ != 0, cas_ != 0, we_ != 0, std::uint32_t(ba_), std::uint32_t(a_),
-                  std::uint32_t(dqm_), dq_oe_ != 0, std::uint16_t(dq_out_)});
+    pins_.set_dq(sdram_.dq().value_or(std::uint16_t(0xdead)));
+    sdram_.clock(pins_.get());
     rtl_.clock();
     ++cycle_;
 }

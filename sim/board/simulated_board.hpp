@@ -8,6 +8,7 @@
 #include "sim/board/link.hpp"
 #include "sim/board/screen.hpp"
 #include "sim/board/sdram_chip.hpp"
+#include "sim/board/sdram_ports.hpp"
 #include "sim/board/serial_line.hpp"
 #include "sim/run/rtl/rtl_module.hpp"
 #include "sim/run/rtl/signal.hpp"
@@ -63,7 +64,7 @@ private:
 
     Signal rx_, tx_, led_, tmds_;
     Signal pixel_clk_, pixel_rst_, shift_clk_, shift_rst_;
-    Signal cke_, cs_, ras_, cas_, we_, ba_, a_, dqm_, dq_oe_, dq_out_, dq_in_;
+    SdramPorts pins_;
 };
 
 }   // namespace rayclock

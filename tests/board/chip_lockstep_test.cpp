@@ -39,4 +39,22 @@ TEST_CASE("two frames at the board's memory agree", "[chip]") {
     check_lockstep(job, frames, {7, 20, 5});
 }
 
+TEST_CASE("a frame's figures leave out the time before its cycle 0", "[chip][stats]") {
+    const int khz = 75'000;
+    Memory memory(chip(), khz, {});
+    memory.start_frame(32, 24);
+    CHECK(memory.stats() == MemoryStats{});
+
+    const std::uint64_t cycles = 100'000, interval = 585;   // of refreshes: 7.8 us at 75 MHz
+    for (std::uint64_t i = 0; i < cycles; ++i) memory.clock(nullptr);
+    const MemoryStats frame = memory.stats();
+    // The blank takes 108,000 cycles, so only the first two rows of the screen's blocks are read.
+    CHECK(frame.scanned == 2 * 32 / 4);
+    CHECK(frame.refreshes >= cycles / interval - 1);
+    CHECK(frame.refreshes <= cycles / interval + 1);
+
+    memory.start_frame(32, 24);
+    CHECK(memory.stats() == frame);
+}
+
 }   // namespace rayclock::test::chip_lockstep_test

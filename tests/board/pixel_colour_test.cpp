@@ -1,5 +1,4 @@
 // Pixels on their way to the screen: bytes as in the host's PNG, places in order, and the model's timing.
-#include <cstring>
 #include <deque>
 
 #include <catch2/catch.hpp>
@@ -9,6 +8,7 @@
 #include "model/core/payloads.hpp"
 #include "sim/files/image/srgb.hpp"
 #include "sim/run/rtl/rtl_module.hpp"
+#include "sim/run/rtl/signal.hpp"
 
 namespace rayclock::test::pixel_colour_test {
 
@@ -34,24 +34,24 @@ class Pair {
 public:
     explicit Pair(const Config& config)
         : config_(config), rtl_(config, "rc_pixel_colour"), model_(config.has_shade()) {
-        set("hit_valid", 0), set("pixel_ready", 0);
+        hit_valid_ = 0, pixel_ready_ = 0;
         rtl_.reset();
     }
 
     /// One cycle with a pixel on offer, or null. Returns true if it was accepted.
     bool cycle(const HitOut* hit, bool ready) {
-        set("hit_valid", hit != nullptr), set("pixel_ready", ready);
+        hit_valid_ = hit != nullptr, pixel_ready_ = ready;
         if (hit) set_data(rtl_.port("hit"), *hit, config_);
         rtl_.settle();
-        REQUIRE(get("hit_ready") == model_.ready());
-        REQUIRE(get("pixel_valid") == model_.valid());
+        REQUIRE(bool(hit_ready_) == model_.ready());
+        REQUIRE(bool(pixel_valid_) == model_.valid());
         const bool enters = hit && model_.ready(), leaves = ready && model_.valid();
         if (model_.valid()) {
             const HitOut& oldest = inside_.front();
             REQUIRE((model_.place().x == oldest.x && model_.place().y == oldest.y));
-            REQUIRE(get("x") == oldest.x);
-            REQUIRE(get("y") == oldest.y);
-            REQUIRE(get("colour") == expected(oldest, config_));
+            REQUIRE(std::uint32_t(x_) == oldest.x);
+            REQUIRE(std::uint32_t(y_) == oldest.y);
+            REQUIRE(std::uint32_t(colour_) == expected(oldest, config_));
         }
         if (leaves) inside_.pop_front(), ++left;
         if (enters) inside_.push_back(*hit);
@@ -64,19 +64,10 @@ public:
     std::uint64_t left = 0;   ///< pixels that have left
 
 private:
-    void set(const char* name, std::uint64_t value) {
-        const RcPort& port = rtl_.port(name);
-        std::memcpy(port.data, &value, std::min(port.bytes, 8u));
-    }
-    std::uint64_t get(const char* name) {
-        const RcPort& port = rtl_.port(name);
-        std::uint64_t value = 0;
-        std::memcpy(&value, port.data, std::min(port.bytes, 8u));
-        return value;
-    }
-
     Config config_;
     RtlModule rtl_;
+    Signal hit_valid_{rtl_, "hit_valid"}, pixel_ready_{rtl_, "pixel_ready"}, hit_ready_{rtl_, "hit_ready"},
+        pixel_valid_{rtl_, "pixel_valid"}, x_{rtl_, "x"}, y_{rtl_, "y"}, colour_{rtl_, "colour"};
     PixelColour model_;
     std::deque<HitOut> inside_;
 };

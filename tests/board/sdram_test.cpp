@@ -229,6 +229,7 @@ TEST_CASE("skipped quiet cycles of the SDRAM controller change nothing", "[sdram
         }
         for (int k = draw.coin() ? draw.below(60) : 0; k > 0; --k) {
             REQUIRE(stepped.ready() == skipped.ready());
+            REQUIRE(stepped.refreshing() == skipped.refreshing());
             REQUIRE(stepped.read_beat() == skipped.read_beat());
             REQUIRE(stepped.write_beat() == skipped.write_beat());
             REQUIRE(stepped.pins().command == skipped.pins().command);

@@ -136,7 +136,7 @@ void require_equal_frames(const Setting& s, int frames) {
     for (int f = 0; f < frames; ++f) {
         INFO("frame " << f);
         const std::size_t i = std::size_t(f);
-        const BoardFrame frame = host.run(jobs[i].frame);
+        const BoardFrame frame = host.run(jobs[i].frame, LinkTime(1'000'000));
         CHECK(frame.cycles == model[i].cycles);
         CHECK(frame.written_cycles > frame.cycles);
         CHECK(frame.written_cycles < frame.cycles + 2000);
@@ -172,6 +172,17 @@ TEST_CASE("two frames of a shading chip on the board are the model's", "[simulat
 
 TEST_CASE("a frame of a camera's chip on the board is the model's, up to the screen", "[simulated]") {
     require_equal_frames({.config = camera_chip(), .is_lit = true, .depth = 0}, 1);
+}
+
+TEST_CASE("a frame that does not end in time is one sentence", "[simulated]") {
+    const Config config = load_config(camera_chip());
+    SimulatedBoard board(config, shape_of({}));
+    BoardLink link(board, {.baud = shape_of({}).baud, .hello = 1});
+    BoardHost host(link, config, sdram_part("as4c32m16sb"));
+    // The blank, in which the frame would start, is up to 16.8 ms away.
+    Frame frame;
+    frame.width = 16, frame.height = 12;
+    CHECK_THROWS_WITH(host.run(frame, LinkTime(1000)), "the board hangs: after 1 ms the frame has not ended");
 }
 
 TEST_CASE("the smaller SDRAM has the rows of its model", "[simulated][slow]") {

@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include "tests/cli/program.hpp"
 
 using namespace rayclock::test;
@@ -44,6 +46,21 @@ TEST_CASE("clocks that the board's memory does not allow are refused") {
     check_refused(run_program(tiny("board", {"--clock", "66.667"})),
                   {"--clock 66.667: ", "a multiple of 0.005 MHz"});
     check_refused(run_program(tiny("board", {"--clock", "50,75"})), {"takes one clock"});
+}
+
+TEST_CASE("a sample reports the reads of the board's screen, and no underruns") {
+    const Folder folder;
+    const std::string out = folder.name("out.json");
+    CHECK(run_program({"simulate", "gears:1", "--config", "ulx3s-board", "--clock", "75", "--size", "320x240",
+                       "--sample", "10%", "--json", out})
+              .code == 0);
+    const auto report = nlohmann::json::parse(bytes_of(out));
+    for (const auto& memory : {report["memory"], report["clocks"][0]["memory"]}) {
+        const auto& screen = memory["dram"]["scan_out"];
+        CHECK(screen["reads"] > 0);
+        CHECK(screen["underruns"].is_null());
+        CHECK(screen.size() == 2);
+    }
 }
 
 TEST_CASE("parts of the board cannot be left out, and its screen has a size") {

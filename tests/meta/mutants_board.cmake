@@ -59,6 +59,9 @@ mutant(model_board_is_not_aligned FILE model/board/board_memory.cpp TEST board
   "two frames of a shading chip*"
   OLD [[if (scan_.nears()) clients_.align();]]
   NEW [[]])
+mutant(model_board_counts_before_the_frame FILE model/mem/memory.cpp TEST board [stats]
+  OLD [[return board_totals() - before_frames_;]]
+  NEW [[return board_totals();]])
 mutant(model_board_has_one_sdram FILE model/board/board_memory.cpp TEST board "the smaller SDRAM*"
   OLD [[sdram_part(config.board_sdram))),]]
   NEW [[sdram_part("as4c32m16sb"))),]])

@@ -77,6 +77,9 @@ mutant(sdram_model_keeps_rows_longer FILE model/board/sdram.cpp TEST board "[sdr
 mutant(sdram_model_skips_without_its_banks FILE model/board/sdram.cpp TEST board [skip]
   OLD [[reduce(bank.wait), reduce(bank.precharge);]]
   NEW [[reduce(bank.precharge);]])
+mutant(sdram_model_skips_within_a_refresh FILE model/board/sdram.cpp TEST board [skip]
+  OLD [[reduce(turn_), reduce(refresh_left_);]]
+  NEW [[reduce(turn_);]])
 mutant(sdram_clocks_rounded_down FILE model/board/sdram_parts.cpp TEST board [parts]
   OLD [[return int((ps + shorter - 1) / shorter);]]
   NEW [[return int(ps / shorter);]])

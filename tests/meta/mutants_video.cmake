@@ -111,6 +111,9 @@ mutant(model_scan_pace_forgets_its_rest FILE model/board/scan_out.cpp TEST board
 mutant(model_scan_skips_one_cycle_too_many FILE model/board/scan_out.cpp TEST board "skipping*"
   OLD [[/ shape_.pixel_khz - 1;]]
   NEW [[/ shape_.pixel_khz;]])
+mutant(model_scan_skips_the_refresh_before_the_blank FILE model/board/scan_out.cpp TEST board "skipping*"
+  OLD [[std::min(to(0), to(width * height - near));]]
+  NEW [[to(0);]])
 mutant(model_scan_skips_the_pace FILE model/board/scan_out.cpp TEST board "skipping*"
   OLD [[falls == to_fall_ ? 0 : pace - falls * pace_limit]]
   NEW [[pace_]])

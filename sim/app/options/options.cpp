@@ -29,6 +29,11 @@ void clock_option(Parser& parser, std::string& clocks) {
         .with_default();
 }
 
+void one_clock_option(Parser& parser, std::string& clock) {
+    parser.option("--clock", clock, "the clock in MHz; fmax: the clock that rayclock chip routed")
+        .with_default();
+}
+
 void threads_option(Parser& parser, int& threads) {
     parser.option("--threads", threads, "number of threads; 0: one for each core").within(0, 1024);
 }

@@ -18,6 +18,7 @@ constexpr std::uint64_t default_seed = 1;
 DeclaredOption scene_option(Parser& parser, std::string& scene);
 void size_option(Parser& parser, std::string& size);
 void clock_option(Parser& parser, std::string& clocks);
+void one_clock_option(Parser& parser, std::string& clock);   ///< for a command that takes one clock
 void threads_option(Parser& parser, int& threads);
 void config_options(Parser& parser, ConfigChoice& config);
 void finished_options(Parser& parser, Finish& finish);

@@ -97,6 +97,18 @@ std::string shortfall(const SampleChoice& choice, const std::vector<sample::Samp
     return {};
 }
 
+namespace {
+
+/// A sample does not estimate how late the screen's reads are in the whole frame.
+void leave_out_waits(nlohmann::ordered_json& memory) {
+    nlohmann::ordered_json& dram = memory["dram"];
+    if (!dram.contains("scan_out")) return;
+    for (const char* wait : {"backlog", "underruns"})
+        if (dram["scan_out"].contains(wait)) dram["scan_out"][wait] = nullptr;
+}
+
+}   // namespace
+
 nlohmann::ordered_json sample_json(const Request& request, const Job& job, FrameSize size,
                                    const Camera& camera, const sample::Ask& ask,
                                    const std::vector<sample::Sampled>& sampled) {
@@ -107,12 +119,13 @@ nlohmann::ordered_json sample_json(const Request& request, const Job& job, Frame
     for (const sample::Sampled& s : sampled) {
         FramesAtClock run{s.khz(), {s.frame(config)}};
         clocks.push_back(clock_json(config, run));
+        leave_out_waits(clocks.back()["memory"]);
         mark_clock(clocks.back(), config, run.khz);
         cycles += double(run.last().cycles);
         if (clocks.size() == 1) first = run.last();
     }
     nlohmann::ordered_json memory = memory_json(config, sampled[0].khz(), first);
-    if (config.scan_out) memory["dram"]["scan_out"]["backlog"] = nullptr;   // a maximum over the whole frame
+    leave_out_waits(memory);
     const double seconds = sampled[0].effort().seconds;
     return {{"scene", scene_json(request.scene)},
             {"config", config_json_object(config)},

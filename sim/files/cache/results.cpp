@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "sim/files/cache/libraries.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/json_value.hpp"
 #include "sim/files/output.hpp"
@@ -13,11 +14,7 @@ namespace rayclock::jobs {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-std::string hash_text(const std::string& text) {
-    std::uint64_t h = 0xcbf29ce484222325u;
-    for (const unsigned char c : text) h = (h ^ c) * 0x100000001b3u;
-    return fmt::format("{:016x}", h);
-}
+std::string hash_text(const std::string& text) { return fmt::format("{:016x}", hash_of(text)); }
 
 namespace {
 
