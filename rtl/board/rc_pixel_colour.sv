@@ -138,7 +138,7 @@ module rc_pixel_colour (
 
       always_comb begin
         threshold = '0;
-        for (int unsigned b = 0; b < Bytes; b += 2 * Step)
+        for (int b = 0; b < Bytes; b += 2 * Step)
           if (found[s*Stages +: Stages] == Stages'(b))
             threshold = Thresholds[(b+Step-1)*ValueW +: ValueW];
       end

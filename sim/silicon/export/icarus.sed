@@ -5,4 +5,4 @@ s/\bint unsigned\b/[31:0]/
 s/rc_pkg::\([a-z0-9_]*_t\)\b/\1/g
 s/\balways_comb\b/always @*/
 /^endpackage/a import rc_pkg::*;
-/^  if (.*) begin : gen_refuse/,/^  end$/d
+/^ *if (.*) begin : gen_refuse/,/^ *end$/d
