@@ -10,6 +10,7 @@
 #include "model/base/interrupted.hpp"
 #include "model/base/nearest.hpp"
 #include "sim/app/options/commands.hpp"
+#include "sim/app/run/clock.hpp"
 #include "sim/app/parts/methods.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/silicon/chip/estimate.hpp"
@@ -32,7 +33,8 @@ struct ChipOptions {
     std::vector<std::string> units;
     std::string device = "lfe5u-85", seeds = "1", output, scene, size = default_size;
     MethodOptions methods;
-    bool fast = false, fresh = false, no_textures = false;
+    std::string clock = "75";
+    bool fast = false, fresh = false, no_textures = false, board = false;
     JsonOutput json;
 };
 
@@ -40,6 +42,9 @@ void declare_chip(Parser& parser, ChipOptions& o) {
     config_options(parser, o.config);
     parser.option("--unit", o.units, "route each of these units alone, separated by commas; all: every unit")
         .by_commas();
+    parser.flag("--board", o.board,
+                "route the chip within a ULX3S board, from pin to pin, and make its bitstream, board.bit");
+    parser.option("--clock", o.clock, "the chip's clock on the board, 75 or 62.5 MHz").with_default();
     parser.option("--device", o.device, "lfe5u-25, lfe5u-45 or lfe5u-85").with_default();
     parser.option("--seeds", o.seeds, "seeds of the placer, as 1,2,3 or 1:8; the fastest result counts")
         .with_default();
@@ -56,6 +61,7 @@ void declare_chip(Parser& parser, ChipOptions& o) {
 }
 
 std::vector<std::string> tops_of(const ChipOptions& o, const Config& config) {
+    if (o.board) return {chip::board_top};
     if (o.units.empty()) return {"chip"};
     std::vector<std::string> names = chip::tops(config);
     names.erase(names.begin());   // the first is the chip itself
@@ -120,6 +126,7 @@ void write_files(const ChipOptions& o, const std::vector<chip::Result>& all, con
     write_file((folder / "report.txt").string(), text);
     write_file((folder / "report.json").string(), json.dump(2) + "\n");
     for (const chip::Result& r : all) {
+        if (!r.bitstream.empty()) write_file((folder / "board.bit").string(), r.bitstream);
         if (r.routes.empty()) continue;
         const std::string title =
             fmt::format("{} of '{}' on {}, {:.1f} MHz with seed {}", r.request.top, r.request.config.name,
@@ -179,10 +186,22 @@ int print_chips(const ChipOptions& o, const ChipRequest& asked, const std::vecto
         json["frame"] = {{"width", asked.size.width}, {"height", asked.size.height}};
         json["fps"] = fps;
     }
+    if (o.board && all[0].fits())
+        text +=
+            all[0].bitstream.empty()
+                ? std::string("  A clock is missed, so there is no bitstream; another seed may keep it.\n")
+                : fmt::format("  bitstream: {} bytes{}\n", grouped(all[0].bitstream.size()),
+                              o.output.empty() ? "; -o FOLDER writes it"
+                                               : fmt::format("; load it with: openFPGALoader --board "
+                                                             "ulx3s {}",
+                                                             (fs::path(o.output) / "board.bit").string()));
     if (!o.json.is_alone()) fmt::print("{}", text);
     if (!o.output.empty()) write_files(o, all, text, json);
     o.json.write(json);
-    return std::all_of(all.begin(), all.end(), [](const chip::Result& r) { return r.fits(); }) ? 0 : 1;
+    return std::all_of(all.begin(), all.end(),
+                       [&](const chip::Result& r) { return r.fits() && (!o.board || !r.bitstream.empty()); })
+               ? 0
+               : 1;
 }
 
 int print_estimate(const ChipOptions& o, const chip::Request& request, jobs::Cache& cache,
@@ -203,17 +222,26 @@ int run_chip(const ChipOptions& o) {
     if (o.fast && !o.methods.first().empty())
         throw UserError(fmt::format("--fast: an estimate routes nothing; leave out {}", o.methods.first()));
     const chip::Methods of_chip = methods_of(o.methods, "chip");   // throws UserError for wrong methods
+    if (o.board && (o.fast || !o.units.empty() || !o.scene.empty()))
+        throw UserError("--board: a board is routed as a whole; leave out --unit, --fast and --scene");
     o.json.check();
     const Progress progress = terminal_progress();
     const ChipRequest asked = asked_of(o, progress);
     const std::vector<std::string> tops = tops_of(o, asked.config);
+    int khz = 0;
+    if (o.board) {
+        if (!asked.config.is_board())
+            throw UserError("--board needs a configuration with dram=board, such as ulx3s-board");
+        khz = one_clock_of(o.clock, asked.config);
+        chip::check_pll(khz);
+    }
     const OutputFolder folder(o.output);
     jobs::Cache cache(rtl_cache() / "chip", o.fresh);
     if (o.fast) return print_estimate(o, {asked.config, "chip", device, seeds, of_chip}, cache, progress);
     std::vector<chip::Result> all;
     for (const std::string& top : tops)
         all.push_back(
-            chip::run({asked.config, top, device, seeds, methods_of(o.methods, top)}, cache, progress));
+            chip::run({asked.config, top, device, seeds, methods_of(o.methods, top), khz}, cache, progress));
     const int code = print_chips(o, asked, all, progress);
     if (!cache.trouble().empty())
         fmt::print(stderr, "rayclock: warning: nothing is kept for the next run: {}\n", cache.trouble());

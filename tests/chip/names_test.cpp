@@ -28,6 +28,12 @@ TEST_CASE("a cell belongs to the outermost unit that its name has") {
     CHECK(box.of("$nextpnr_CCU2C_0$CCU2_COMB1") == "box");
     CHECK(box.of("u_box.u_slab.x") == "box");
     CHECK(Units("rank").of("u_rank.s4_q") == "rank");
+    const Units board(board_top);
+    CHECK(board.of("u_board." + tree + "gen_box.u_box.u_rank.s4_q_TRELLIS_FF_Q_5") == "box");
+    CHECK(board.of("u_board.u_memory.u_sdram.wait_q") == "memory");
+    CHECK(board.of("u_board.drawn_base") == wiring_unit);
+    CHECK(board.of("wait_q_TRELLIS_FF_Q_7") == harness_unit);
+    CHECK(board.of("$nextpnr_CCU2C_0$CCU2_COMB1") == carry_unit);
 }
 
 TEST_CASE("names of registers lose their bit numbers") {

@@ -210,6 +210,99 @@ TEST_CASE("the report of a chip that does not fit says by how much, and the chip
     CHECK(fake.routed() == 5);
 }
 
+namespace {
+
+/// A board on fake tools: nextpnr reports three clocks, the chip's at `mhz`, and ecppack copies the text.
+class FakeBoard {
+public:
+    FakeBoard() : yosys_(fake_yosys(fake_, 1)) {
+        pack("cat \"$2\" > \"$3\"");
+        route("81.5");
+    }
+
+    void route(const std::string& mhz) const {
+        const auto clock = [](const std::string& net, const std::string& achieved, const char* asked) {
+            return "\"$glbnet$" + net + "\": {\"achieved\": " + achieved + ", \"constraint\": " + asked + "}";
+        };
+        fake_.folder().write("report", "{\"fmax\": {" + clock("shift_clk", "310.25", "125") + ", " +
+                                           clock("clk", mhz, "75") + ", " + clock("pixel_clk", "99", "25") +
+                                           "}}");
+        fake_.replace("cp() { /bin/cp \"$@\"; /bin/cp '" + fake_.folder().name("report") +
+                      "' report.json; case \"$*\" in *delays.sdf*) echo routed > board.config;; esac; }");
+    }
+    void pack(const std::string& script) const {
+        fake_.folder().write("bin/ecppack",
+                             "#!/bin/sh\n[ \"$1\" = --version ] && echo 'fake' && exit\n" + script);
+        fs::permissions(fake_.folder().name("bin/ecppack"), fs::perms::owner_all);
+    }
+    Outcome run(std::vector<std::string> more = {}) const {
+        more.insert(more.begin(), {"chip", "--config", "ulx3s-board", "--board"});
+        std::vector<std::string> environment = fake_.environment();
+        environment.push_back(yosys_);
+        return run_program(more, environment);
+    }
+    const FakeNextpnr& fake() const { return fake_; }
+
+private:
+    FakeNextpnr fake_;
+    std::string yosys_;
+};
+
+}   // namespace
+
+TEST_CASE("chip --board routes the board with its pins, and packs a bitstream if all clocks are kept") {
+    const FakeBoard board;
+    const std::string out = board.fake().folder().name("out"), report = board.fake().folder().name("a.json");
+    const Outcome first = board.run({"-o", out, "--json", report});
+    INFO(first.err);
+    REQUIRE(first.code == 0);
+    CHECK_THAT(first.out, Catch::Contains("ULX3S with 'ulx3s-board' at 75 MHz on lfe5u-85") &&
+                              Catch::Contains("routed: 81.5 MHz with seed 1") &&
+                              Catch::Contains("openFPGALoader --board ulx3s " + out + "/board.bit"));
+    CHECK(bytes_of(out + "/board.bit") == "routed\n");
+    CHECK_THAT(bytes_of(board.fake().calls()),
+               Catch::Contains("--lpf board.lpf --seed 1") && Catch::Contains("--textcfg board.config"));
+    const json figures = json::parse(bytes_of(report));
+    CHECK(figures["fmax_mhz"] == 81.5);
+    CHECK(figures["bitstream_bytes"] == 7);
+    CHECK(figures["clocks"] == json{{{"name", "clk"}, {"asked_mhz", 75}, {"fmax_mhz", 81.5}},
+                                    {{"name", "pixel_clk"}, {"asked_mhz", 25}, {"fmax_mhz", 99}},
+                                    {{"name", "shift_clk"}, {"asked_mhz", 125}, {"fmax_mhz", 310.25}}});
+
+    const int routed = board.fake().routed();
+    CHECK(board.run({"-o", out}).out == first.out);
+    CHECK(board.fake().routed() == routed);
+    CHECK(board.run({"--clock", "62.5"}).code == 0);   // another PLL is another design
+    CHECK(board.fake().routed() == 2 * routed);
+}
+
+TEST_CASE("chip --board makes no bitstream of a board that misses a clock") {
+    const FakeBoard board;
+    board.route("74.99");
+    const std::string out = board.fake().folder().name("out");
+    const Outcome missed = board.run({"-o", out});
+    CHECK(missed.code == 1);
+    CHECK_THAT(missed.out, Catch::Contains("MISSED") && Catch::Contains("there is no bitstream"));
+    CHECK(fs::exists(out + "/report.txt"));
+    CHECK_FALSE(fs::exists(out + "/board.bit"));
+}
+
+TEST_CASE("chip --board refuses what it cannot make") {
+    const FakeBoard board;
+    check_refused(board.run({"--clock", "70"}), {"--clock 70", "75 or 62.5 MHz"});
+    check_refused(run_program({"chip", "--config", "small", "--board"}), {"dram=board"});
+    check_refused(board.run({"--unit", "box"}), {"leave out --unit"});
+    check_refused(board.run({"--fast"}), {"leave out --unit, --fast"});
+    board.pack("echo 'ERROR: no such tile'; exit 1");
+    check_refused(board.run(), {"ecppack failed: no such tile"});
+    CHECK(board.fake().kept("chip-route-") == 0);
+    board.pack(":");
+    check_refused(board.run(), {"no bitstream"});
+    board.route("75");
+    fs::remove(board.fake().folder().name("bin/ecppack"));
+    check_refused(board.run(), {"ecppack is not installed"});
+}
+
 TEST_CASE("a chip that is interrupted during a second placement continues after the first") {
     const FakeNextpnr fake;
     fake.replace("case \"$*\" in *anchored*--seed*) sleep 100;; esac");

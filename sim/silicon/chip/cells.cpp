@@ -11,6 +11,7 @@
 
 #include "model/base/split.hpp"
 #include "sim/silicon/area/variants.hpp"
+#include "sim/silicon/chip/board.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/text.hpp"
 
@@ -137,16 +138,18 @@ bool read_cells(const std::string& file, const std::function<void(const Cell&)>&
 Units::Units(std::string top) : top_(std::move(top)) {
     for (const area::UnitRow& row : area::unit_rows()) names_.push_back(row.name);
     names_.insert(names_.end(), {"host", "counters"});
+    if (top_ == board_top)
+        names_.insert(names_.end(), {"link", "frame", "colour", "writer", "scan", "video", "memory"});
 }
 
 std::string Units::of(std::string_view cell) const {
-    if (cell.starts_with("$nextpnr_CCU2C_")) return top_ == "chip" ? carry_unit : top_;
+    if (cell.starts_with("$nextpnr_CCU2C_")) return top_ == "chip" || top_ == board_top ? carry_unit : top_;
     bool inside = false;
     for (const std::string& part : split(std::string(cell), '.')) {
         if (!part.starts_with("u_")) continue;
         const std::string name = part.substr(2);
         if (std::find(names_.begin(), names_.end(), name) != names_.end()) return name;
-        if (name == top_ && name != "chip") return name;
+        if (name == top_ && name != "chip" && name != board_top) return name;
         inside |= name == top_;
     }
     return inside ? wiring_unit : harness_unit;

@@ -26,7 +26,8 @@ bool read_cells(const std::string& file, const std::function<void(const Cell&)>&
 /// these form a unit "carry_ends". The harness has no carry chain.
 class Units {
 public:
-    /// `top` is the content of the harness: "chip", or the name of a unit.
+    /// `top` is the content of the harness: "chip", the name of a unit, or board_top. The harness of a board
+    /// is its PLL, resets and pins.
     explicit Units(std::string top);
 
     std::string of(std::string_view cell) const;

@@ -14,6 +14,7 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/split.hpp"
+#include "sim/silicon/chip/board.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/process/interrupt.hpp"
 #include "sim/files/process/process.hpp"
@@ -96,7 +97,7 @@ const Nextpnr& nextpnr() {
 }
 
 Methods usual_methods(const std::string& top) {
-    return top == "chip" ? Methods{"mixed", "router1", 2} : Methods{};
+    return top == "chip" || top == board_top ? Methods{"mixed", "router1", 2} : Methods{};
 }
 
 const std::vector<std::string>& placers() {
@@ -231,15 +232,17 @@ void write_roomy(const fs::path& placed, const fs::path& to) {
 
 // Passes file names relative to the folder, because a tool compiled to WebAssembly sees no other files.
 RouteEnd run_nextpnr(const fs::path& folder, const Device& device, const Methods& methods, int seed,
-                     const KeptSites& kept, const RouteProgress& on_progress) {
+                     bool has_pins, const KeptSites& kept, const RouteProgress& on_progress) {
     int placement = 1;
     const auto run = [&](std::vector<const char*> files) {
+        if (has_pins) files.insert(files.end(), {"--lpf", pins_file});
         const bool last = placement == methods.placements;
         return run_once(folder, nextpnr_options(device, methods, last), seed, files, on_progress);
     };
     const std::vector<const char*> placing{"--no-route", "--write", "placed.json"};
     std::vector<const char*> routing{"--report",    "report.json", "--write",
                                      "placed.json", "--sdf",       "delays.sdf"};
+    if (has_pins) routing.insert(routing.end(), {"--textcfg", textual_file});
     const auto on = [](const char* netlist, std::vector<const char*> words) {
         words.insert(words.begin(), {"--json", netlist});
         return words;

@@ -58,11 +58,16 @@ struct KeptSites {
     std::function<void(int placement, const Sites&)> keep;
 };
 
+/// The names of the files of a board: its pins, which the caller writes, and the result for ecppack.
+constexpr const char* pins_file = "board.lpf";
+constexpr const char* textual_file = "board.config";
+
 /// Places and routes netlist.json of the folder. Writes report.json, placed.json, delays.sdf and the log
-/// there. Skips a placement whose sites are kept. Calls `tell` with the current step and its percentage.
-/// Throws UserError with the tool's message if it fails.
+/// there. With has_pins it reads pins_file and writes textual_file. Skips a placement whose sites are kept.
+/// Calls `tell` with the current step and its percentage. Throws UserError with the tool's message if it
+/// fails.
 RouteEnd run_nextpnr(const std::filesystem::path& folder, const Device& device, const Methods& methods,
-                     int seed, const KeptSites& kept,
+                     int seed, bool has_pins, const KeptSites& kept,
                      const std::function<void(const std::string& what, int percent)>& on_progress);
 
 /// The progress of a run, read from its log.

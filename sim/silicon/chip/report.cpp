@@ -49,7 +49,9 @@ std::string area_table(const Result& r) {
     table.add(row(r.request.device.name + " has", has));
     table.add({"", percent(all.lut, has.lut), percent(all.ff, has.ff), percent(all.dsp, has.dsp),
                percent(all.bram, has.bram)});
-    if (units.contains(harness_unit)) table.add(row("harness around it", units.at(harness_unit)));
+    if (units.contains(harness_unit))
+        table.add(row(r.request.is_board() ? "pins and resets around it" : "harness around it",
+                      units.at(harness_unit)));
     return table.text();
 }
 
@@ -66,6 +68,14 @@ std::string path_table(const Route& route) {
     return table.text();
 }
 
+std::string clock_table(const Route& route) {
+    Table table({"clock", "asked, MHz", "routed, MHz", ""});
+    for (const Clock& c : route.clocks)
+        table.add({c.name, fmt::format("{:.1f}", c.asked), fmt::format("{:.1f}", c.achieved),
+                   c.is_kept() ? "kept" : "MISSED"});
+    return table.text();
+}
+
 std::string seeds_text(const Result& r) {
     std::vector<std::string> all;
     for (const Route& route : r.routes) all.push_back(fmt::format("{}: {:.1f}", route.seed, route.fmax_mhz));
@@ -73,6 +83,7 @@ std::string seeds_text(const Result& r) {
 }
 
 std::string name_of(const Request& r) {
+    if (r.is_board()) return fmt::format("ULX3S with '{}' at {:g} MHz", r.config.name, r.khz / 1e3);
     return r.top == "chip" ? fmt::format("'{}'", r.config.name)
                            : fmt::format("{} of '{}', alone", r.top, r.config.name);
 }
@@ -111,6 +122,7 @@ std::string text(const Result& r) {
     if (methods.placer != usual.placer || methods.router != usual.router)
         text += fmt::format(", placer {}, {}", methods.placer, methods.router);
     if (methods.placements > 1) text += fmt::format(", placed {} times", methods.placements);
+    if (!best.clocks.empty()) text += "\n\n" + clock_table(best);
     return text + "\n\n" + path_table(best);
 }
 
@@ -130,6 +142,14 @@ ordered_json json(const Result& r) {
                       {"router", r.request.methods.router},
                       {"placements", r.request.methods.placements}};
     json["fmax_mhz"] = r.routes.empty() ? ordered_json(nullptr) : ordered_json(r.best().fmax_mhz);
+    if (r.request.is_board()) {
+        ordered_json clocks = ordered_json::array();
+        if (!r.routes.empty())
+            for (const Clock& c : r.best().clocks)
+                clocks.push_back({{"name", c.name}, {"asked_mhz", c.asked}, {"fmax_mhz", c.achieved}});
+        json["clocks"] = clocks;
+        json["bitstream_bytes"] = r.bitstream.size();
+    }
     json["seeds"] = seeds;
     json["totals"] = use_json(total_of(units));
     json["has"] = use_json(r.request.device.has);

@@ -1,12 +1,15 @@
 // Reads nextpnr's results: clock, paths, cells by unit and tiles.
 #include "sim/silicon/chip/route.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <sstream>
 #include <tuple>
 
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "sim/silicon/chip/board.hpp"
 #include "sim/silicon/chip/cells.hpp"
 #include "sim/silicon/chip/timing.hpp"
 #include "sim/files/input.hpp"
@@ -55,18 +58,39 @@ bool place_of(const std::string& bel, int& x, int& y) {
 
 }   // namespace
 
-double fmax_of(const std::string& report) {
+std::vector<Clock> clocks_of(const std::string& report) {
     const std::string name = "report.json of nextpnr-ecp5";
     if (report.empty()) throw UserError(name + " is not whole; is the disk full?");
     const Json document = parse_json(name, report);
     const JsonValue clocks = JsonValue(document, name).at("fmax").object();
-    if (clocks.size() != 1) clocks.expected("an object with one clock");
-    double mhz = 0;
-    for_each(clocks, [&](const std::string&, const JsonValue& clock) {
-        mhz = clock.at("achieved").number();
-        if (!(mhz > 0 && mhz < 100'000)) clock.at("achieved").expected("a clock in MHz");
+    if (clocks.size() == 0) clocks.expected("an object with clocks");
+    std::vector<Clock> all;
+    for_each(clocks, [&](const std::string& net, const JsonValue& clock) {
+        const auto mhz = [&](const char* key) {
+            const double value = clock.at(key).number();
+            if (!(value > 0 && value < 100'000)) clock.at(key).expected("a clock in MHz");
+            return value;
+        };
+        const std::size_t at = net.rfind('$');   // "$glbnet$clk"
+        all.push_back({at == net.npos ? net : net.substr(at + 1), mhz("achieved"), mhz("constraint")});
     });
-    return mhz;
+    return all;
+}
+
+namespace {
+
+/// Returns the clock of the chip: the only one, or that of the board's net "clk".
+const Clock& chip_clock(const std::vector<Clock>& clocks, const std::string& top) {
+    for (const Clock& clock : clocks)
+        if (clocks.size() == 1 || (top == board_top && clock.name == "clk")) return clock;
+    throw UserError(
+        fmt::format("report.json of nextpnr-ecp5 has {} clocks, and none is the chip's", clocks.size()));
+}
+
+}   // namespace
+
+bool Route::keeps_clocks() const {
+    return std::all_of(clocks.begin(), clocks.end(), std::mem_fn(&Clock::is_kept));
 }
 
 Use total_of(const std::map<std::string, Use>& units) {
@@ -79,7 +103,9 @@ Use total_of(const std::map<std::string, Use>& units) {
 Route read_route(const fs::path& folder, const std::string& top, int seed) {
     Route route;
     route.seed = seed;
-    route.fmax_mhz = fmax_of(read_if_there(folder / "report.json"));
+    const std::vector<Clock> clocks = clocks_of(read_if_there(folder / "report.json"));
+    route.fmax_mhz = chip_clock(clocks, top).achieved;
+    if (top == board_top) route.clocks = clocks;
     const Units units(top);
     const std::vector<Path> paths = paths_of(folder / "delays.sdf", units);
     std::map<std::string, std::string> sources;   // source positions of the cells at the ends of these paths
@@ -118,17 +144,21 @@ ordered_json route_json(const Route& route) {
     for (const Tile& t : route.tiles)
         tiles += fmt::format("{} {} {} {} {} {} {}\n", t.x, t.y, t.unit, t.use.lut, t.use.ff, t.use.dsp,
                              t.use.bram);
-    return {{"seed", route.seed},
-            {"fmax_mhz", route.fmax_mhz},
-            {"units", units},
-            {"paths", paths},
-            {"tiles", tiles}};
+    ordered_json clocks = ordered_json::array();
+    for (const Clock& c : route.clocks) clocks.push_back({c.name, c.achieved, c.asked});
+    return {{"seed", route.seed}, {"fmax_mhz", route.fmax_mhz},
+            {"clocks", clocks},   {"units", units},
+            {"paths", paths},     {"tiles", tiles}};
 }
 
 Route route_of(const ordered_json& json) {
     Route route;
     route.seed = json.at("seed").get<int>();
     route.fmax_mhz = json.at("fmax_mhz").get<double>();
+    if (json.contains("clocks"))   // results of older versions have none
+        for (const ordered_json& c : json.at("clocks"))
+            route.clocks.push_back(
+                {c.at(0).get<std::string>(), c.at(1).get<double>(), c.at(2).get<double>()});
     for (const auto& [unit, use] : json.at("units").items())
         route.units[unit] = {use.at(0).get<std::uint64_t>(), use.at(1).get<std::uint64_t>(),
                              use.at(2).get<std::uint64_t>(), use.at(3).get<std::uint64_t>()};

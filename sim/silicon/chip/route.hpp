@@ -27,10 +27,19 @@ struct Tile {
     Use use;
 };
 
+/// A clock after routing, in MHz.
+struct Clock {
+    std::string name;   ///< net in the top module: "shift_clk"
+    double achieved = 0, asked = 0;
+    bool is_kept() const { return achieved >= asked; }
+};
+
 /// The routed netlist of one seed.
 struct Route {
     int seed = 0;
-    double fmax_mhz = 0;
+    double fmax_mhz = 0;                ///< of the chip's clock
+    std::vector<Clock> clocks;          ///< of a board: all of them
+    bool keeps_clocks() const;          ///< true if no clock of a board is slower than asked
     std::vector<PathRow> paths;         ///< the slowest first
     std::map<std::string, Use> units;   ///< after placement, including the harness
     std::vector<Tile> tiles;
@@ -43,9 +52,8 @@ Route route_of(const nlohmann::ordered_json& json);
 /// UserError if a file is incomplete.
 Route read_route(const std::filesystem::path& folder, const std::string& top, int seed);
 
-/// Returns the frequency of the only clock in report.json, in MHz. Throws UserError if the text is not in
-/// nextpnr's format.
-double fmax_of(const std::string& report);
+/// Returns the clocks in report.json, at least one. Throws UserError if the text is not in nextpnr's format.
+std::vector<Clock> clocks_of(const std::string& report);
 
 /// Returns the sum over all units except the harness.
 Use total_of(const std::map<std::string, Use>& units);

@@ -36,24 +36,25 @@ namespace {
 }
 
 /// Runs Yosys in a temporary folder.
-void run_yosys(const synth::YosysFolder& folder, const Config& config, const std::string& script) {
-    if (!folder.run(config, "-defer ", script)) stopped();
+void run_yosys(const synth::YosysFolder& folder, const Config& config, const std::string& script,
+               RtlScope scope = RtlScope::chip) {
+    if (!folder.run(config, "-defer ", script, scope)) stopped();
 }
 
 /// Optimises each unit alone and joins the units at the end, so that each cell keeps its unit's name.
 /// Optimisation across units gains little: `small` has 23,216 LUT4 with this script and 23,298 with the
 /// other.
-std::string synth_script(const std::string& units) {
+std::string synth_script(const std::string& top, const std::string& units) {
     return fmt::format(
         "read_verilog -sv harness.v\n"
-        "hierarchy -check -top rc_harness\n"
+        "hierarchy -check -top {}\n"
         "setattr -mod -set keep_hierarchy 1 {}\n"
         "{}"
         "setattr -mod -unset keep_hierarchy *\n"
         "flatten\n"
         "opt_clean\n"
         "write_json netlist.json\n",
-        units, ecp5_steps());
+        top, units, ecp5_steps());
 }
 
 class Steps {
@@ -70,7 +71,7 @@ public:
         result.misfit = misfit(request_.config.name, request_.device, result.units);
         for (const int seed : request_.seeds) {
             if (!result.fits()) break;
-            const auto known = cache_.find("chip-route", route_key(seed), route_of);
+            const auto known = known_route(seed);
             result.was_kept &= known.has_value();
             if (known)
                 result.routes.push_back(*known);
@@ -81,6 +82,8 @@ public:
             result.misfit = fmt::format(
                 "'{}' cannot be routed on {}: {}; another seed, another placer or more placements may help",
                 printable(request_.config.name), request_.device.name, stuck_);
+        if (request_.is_board() && result.fits() && result.best().keeps_clocks())
+            result.bitstream = read_file(bitstream(result.best().seed));
         return result;
     }
 
@@ -94,7 +97,7 @@ public:
         result.misfit = misfit(request_.config.name, request_.device, result.units);
         for (const int seed : request_.seeds) {
             if (!result.fits()) break;
-            const auto known = cache_.find("chip-route", route_key(seed), route_of);
+            const auto known = known_route(seed);
             if (!known) return std::nullopt;
             result.routes.push_back(*known);
         }
@@ -109,6 +112,10 @@ private:
     /// Finds the ports and modules. They give the key of all later steps: the package, the sources of these
     /// modules only, and the synthesis script.
     void find_face() {
+        if (request_.is_board()) {
+            find_board();
+            return;
+        }
         const std::string package = jobs::hash_text(rc_package(request_.config));
         const std::string key = fmt::format("package {} rtl {} top {} {}", package, synth::rtl_digest(),
                                             request_.top, synth::yosys_version());
@@ -135,7 +142,24 @@ private:
         }
         design_ = fmt::format("top {} of copies package {} modules {} harness {} script {} {}", request_.top,
                               package, modules_, jobs::hash_text(harness_),
-                              jobs::hash_text(synth_script(units_)), synth::yosys_version());
+                              jobs::hash_text(synth_script(top_, units_)), synth::yosys_version());
+    }
+
+    /// The same for a board. Its ports are those of rc_ulx3s.v, and all sources are part of the key.
+    void find_board() {
+        harness_ = board_verilog();
+        top_ = "rc_ulx3s " + board_parameters(request_.config, request_.khz);
+        pins_ = board_pins();
+        units_ =
+            "*rc_board* *rc_chip* *rc_host* *rc_host_link* *rc_frame_control* *rc_pixel_* *rc_scan_out* "
+            "*rc_video*";
+        for (const area::UnitRow& row : area::unit_rows())
+            if (row.is_there(request_.config)) units_ += fmt::format(" *rc_{}*", row.name);
+        design_ = fmt::format("board package {} rtl {} harness {} pins {} script {} {} {}",
+                              jobs::hash_text(rc_package(request_.config)),
+                              synth::rtl_digest(RtlScope::board), jobs::hash_text(harness_),
+                              jobs::hash_text(pins_), jobs::hash_text(synth_script(top_, units_)),
+                              synth::yosys_version(), packer_version());
     }
 
     /// Returns patterns of Yosys for the modules that stay separate: the top module and the units in it.
@@ -170,7 +194,8 @@ private:
         report_progress("synthesis", 0);
         const synth::YosysFolder folder(cache_.folder());
         folder.write("harness.v", harness_);
-        run_yosys(folder, request_.config, synth_script(units_));
+        run_yosys(folder, request_.config, synth_script(top_, units_),
+                  request_.is_board() ? RtlScope::board : RtlScope::chip);
         const Units names(request_.top);
         std::map<std::string, Use> units;
         const bool whole = read_cells(folder.path("netlist.json").string(), [&](const Cell& cell) {
@@ -205,6 +230,16 @@ private:
                            nextpnr_options(request_.device, methods), seed, placement);
     }
 
+    fs::path bitstream(int seed) const {
+        return cache_.folder() / fmt::format("chip-bitstream-{}.bit", jobs::hash_text(route_key(seed)));
+    }
+
+    /// Returns a route that is kept, with its bitstream if it needs one.
+    std::optional<Route> known_route(int seed) const {
+        if (request_.is_board() && !fs::exists(bitstream(seed))) return std::nullopt;
+        return cache_.find("chip-route", route_key(seed), route_of);
+    }
+
     KeptSites kept_sites(int seed) const {
         const auto find = [this, seed](int placement) {
             return cache_.find("chip-sites", sites_key(seed, placement),
@@ -227,8 +262,9 @@ private:
             report_progress(fmt::format("seed {}, {}", seed, what), percent);
         };
         const fs::path place = folder.path("netlist.json").parent_path();
-        const RouteEnd end =
-            run_nextpnr(place, request_.device, request_.methods, seed, kept_sites(seed), hear);
+        if (request_.is_board()) folder.write(pins_file, pins_);
+        const RouteEnd end = run_nextpnr(place, request_.device, request_.methods, seed, request_.is_board(),
+                                         kept_sites(seed), hear);
         if (end == RouteEnd::interrupted) stopped();
         if (end == RouteEnd::does_not_route) {   // another seed may route
             hear_stuck(step_of_log(read_if_there(place / "log")));
@@ -240,6 +276,11 @@ private:
             return;
         }
         const Route route = read_route(place, request_.top, seed);
+        if (request_.is_board()) {
+            pack_bitstream(place, textual_file, "board.bit");
+            fs::rename(place / "board.bit", bitstream(seed), error);
+            if (error) throw UserError(fmt::format("{}: {}", bitstream(seed).string(), error.message()));
+        }
         cache_.keep("chip-route", route_key(seed), route_json(route));
         hear("done", 100);
         result.routes.push_back(route);
@@ -257,7 +298,8 @@ private:
     jobs::Cache& cache_;
     const Progress& progress_;
     std::string harness_, modules_, units_, design_;
-    std::string stuck_;   ///< why no seed could be routed
+    std::string top_ = "rc_harness", pins_;   ///< Yosys' top with parameters; the pins of a board
+    std::string stuck_;                       ///< why no seed could be routed
     /// Of that seed: whether its placement failed, and RouteStep::least_left.
     std::pair<bool, long> left_;
 };
@@ -284,8 +326,9 @@ std::string misfit(const std::string& name, const Device& device, const std::map
 }
 
 const Route& Result::best() const {
-    return *std::max_element(routes.begin(), routes.end(),
-                             [](const Route& a, const Route& b) { return a.fmax_mhz < b.fmax_mhz; });
+    return *std::max_element(routes.begin(), routes.end(), [](const Route& a, const Route& b) {
+        return std::pair(a.keeps_clocks(), a.fmax_mhz) < std::pair(b.keeps_clocks(), b.fmax_mhz);
+    });
 }
 
 std::vector<std::string> tops(const Config& config) {

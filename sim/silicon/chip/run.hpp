@@ -7,19 +7,24 @@
 
 #include "model/base/progress.hpp"
 #include "model/core/config.hpp"
+#include "sim/silicon/chip/board.hpp"
 #include "sim/silicon/chip/nextpnr.hpp"
 #include "sim/silicon/chip/route.hpp"
 #include "sim/files/cache/results.hpp"
 
 namespace rayclock::chip {
 
-/// What to place: the whole chip ("chip") or one unit, with device, seeds and methods.
+/// What to place: the whole chip ("chip"), one unit, or the board around the chip (board_top), with device,
+/// seeds and methods.
 struct Request {
     Config config;
     std::string top = "chip";
     Device device;
     std::vector<int> seeds;
     Methods methods{};
+    int khz = 0;   ///< the chip's clock on the board, which its PLL makes
+
+    bool is_board() const { return top == board_top; }
 };
 
 /// The results of a request.
@@ -32,7 +37,8 @@ struct Result {
     bool was_kept = false;   ///< all results came from the cache
 
     bool fits() const { return misfit.empty(); }
-    const Route& best() const;   ///< the fastest route
+    const Route& best() const;   ///< the fastest route; of a board, one that keeps all clocks first
+    std::string bitstream{};     ///< of the board's best route, if it keeps all its clocks
 };
 
 /// Returns a sentence if the units need more than the device has: by how much, and which units are largest.

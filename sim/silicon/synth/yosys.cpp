@@ -55,27 +55,33 @@ std::string synthesised_text(const std::string& text) {
     return kept;
 }
 
-const std::string& rtl_digest() {
-    static const std::string digest = [] {
+const std::string& rtl_digest(RtlScope scope) {
+    const auto digest_of = [](RtlScope sources) {
         std::string all;
-        for (const RtlText& source : rtl_texts())
+        for (const RtlText& source : rtl_texts(sources))
             if (source.name.ends_with(".sv")) all += source.name + "\n" + synthesised_text(source.text);
         return jobs::hash_text(all);
-    }();
-    return digest;
+    };
+    if (scope == RtlScope::board) {
+        static const std::string of_board = digest_of(RtlScope::board);
+        return of_board;
+    }
+    static const std::string of_chip = digest_of(RtlScope::chip);
+    return of_chip;
 }
 
 YosysFolder::YosysFolder(const fs::path& parent)
     : folder_("yosys", ::access(parent.c_str(), W_OK) == 0 ? parent : fs::temp_directory_path()) {}
 
-bool YosysFolder::run(const Config& config, const std::string& read_flags, const std::string& script) const {
+bool YosysFolder::run(const Config& config, const std::string& read_flags, const std::string& script,
+                      RtlScope scope) const {
     write("rc_pkg.sv", rc_package(config));
     // RC_ECP5 maps products to the device's own blocks: rtl/fixed/rc_mul_limb.sv.
     std::string commands =
         "read_verilog -lib +/ecp5/cells_sim.v +/ecp5/cells_bb.v\nread_verilog -sv rc_pkg.sv\n";
     // Copies the sources into this folder. Yosys names cells after files, and the results of ABC and of a
     // placer depend on these names. So the netlist does not depend on the location of the sources.
-    for (const RtlText& source : rtl_texts()) {
+    for (const RtlText& source : rtl_texts(scope)) {
         const fs::path name = fs::path("rtl") / source.name;
         if (name.extension() != ".sv") continue;   // skip the waivers
         fs::create_directories((folder_.path() / name).parent_path());

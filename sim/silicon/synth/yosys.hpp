@@ -5,6 +5,7 @@
 
 #include "model/core/config.hpp"
 #include "sim/files/scratch.hpp"
+#include "sim/run/rtl/sources.hpp"
 
 namespace rayclock::synth {
 
@@ -16,7 +17,7 @@ const std::string& yosys_version();
 std::string synthesised_text(const std::string& text);
 
 /// Returns the hash of synthesised_text() of all Verilog sources except the package. Reads them once.
-const std::string& rtl_digest();
+const std::string& rtl_digest(RtlScope scope = RtlScope::chip);
 
 /// A temporary folder for one run, removed at the end. It lies in `parent`, or among the temporary files if
 /// `parent` is not writable.
@@ -27,7 +28,8 @@ public:
     /// Reads the package of a configuration and all sources, with `read_flags` for read_verilog, then runs
     /// the script in this folder. Returns false if interrupted(). Throws UserError with the tool's message if
     /// it fails.
-    bool run(const Config& config, const std::string& read_flags, const std::string& script) const;
+    bool run(const Config& config, const std::string& read_flags, const std::string& script,
+             RtlScope scope = RtlScope::chip) const;
     /// Runs the script alone.
     bool run(const std::string& script) const;
 
