@@ -1,14 +1,18 @@
 // rayclock board: draws a frame on a real or simulated board, and compares it with the model's.
+#include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/app/run/clock.hpp"
+#include "sim/app/run/film_strip.hpp"
 #include "sim/app/run/picture_folder.hpp"
 #include "sim/board/host.hpp"
 #include "sim/board/port.hpp"
@@ -16,6 +20,8 @@
 #include "sim/files/image/image.hpp"
 #include "sim/files/image/srgb.hpp"
 #include "sim/files/process/stopping.hpp"
+#include "sim/files/table.hpp"
+#include "sim/run/film/strip.hpp"
 #include "sim/run/frame/frame.hpp"
 #include "sim/run/request/request.hpp"
 #include "sim/view/report/json.hpp"
@@ -37,6 +43,7 @@ struct BoardOptions {
     ConfigChoice config{"ulx3s-board", {}};
     Finish finish;
     ViewChoice view;
+    FramesOptions frames;
     bool dark = false;
     std::string output;
     JsonOutput json;
@@ -47,6 +54,7 @@ void declare_board(Parser& parser, BoardOptions& o) {
     finished_options(parser, o.finish);
     view_options(parser, o.view);
     size_option(parser, o.size);
+    frames_options(parser, o.frames);
     one_clock_option(parser, o.clock);
     config_options(parser, o.config);
     parser
@@ -107,10 +115,10 @@ Picture picture_of(FrameSize size, const std::vector<Bytes>& bytes) {
 }
 
 /// Returns the bytes that the board must have for a frame of the model.
-std::vector<Bytes> expected_bytes(const Config& config, FrameSize size, const FrameResult& frame) {
-    if (config.has_shade()) return bytes_of(picture_from_colours(size, frame.colours));
+std::vector<Bytes> expected_bytes(const Config& config, FrameSize size, const Trace& trace) {
+    if (config.has_shade()) return bytes_of(picture_from_colours(size, trace.colours));
     std::vector<Bytes> bytes;
-    for (const Closest& hit : frame.answers) bytes.push_back(label_colour(hit.found, hit.prim));
+    for (const Closest& hit : trace.hits) bytes.push_back(label_colour(hit.found, hit.prim));
     return bytes;
 }
 
@@ -133,20 +141,34 @@ std::uint64_t differences(const std::vector<Bytes>& a, const std::vector<Bytes>&
     return count;
 }
 
-/// The results of the comparison.
-struct BoardCheck {
-    FrameResult model;
+/// The results of the comparison of one frame.
+struct FrameCheck {
+    FrameTiming model;
     BoardFrame board;
     std::string first_counter;   ///< a sentence about the first counter that differs
+    std::size_t uploaded_lines = 0;
     std::uint64_t wrong_pixels = 0;
-    // Of a simulated board:
+
+    bool is_good() const {
+        return model.cycles == board.cycles && first_counter.empty() && wrong_pixels == 0 &&
+               board.underruns == 0;
+    }
+    std::uint64_t gap() const {
+        return std::max(model.cycles, board.cycles) - std::min(model.cycles, board.cycles);
+    }
+};
+
+/// The results of the comparison.
+struct BoardCheck {
+    std::vector<FrameCheck> frames;
+    // Of a simulated board, after the last frame:
     std::optional<std::uint64_t> wrong_screen_pixels;
     std::vector<std::string> faults;   ///< of SDRAM, screen and cable, the first ones
     std::uint64_t simulated_cycles = 0;
 
     bool is_good() const {
-        return model.cycles == board.cycles && first_counter.empty() && wrong_pixels == 0 &&
-               wrong_screen_pixels.value_or(0) == 0 && faults.empty() && board.underruns == 0;
+        return std::all_of(frames.begin(), frames.end(), std::mem_fn(&FrameCheck::is_good)) &&
+               wrong_screen_pixels.value_or(0) == 0 && faults.empty();
     }
 };
 
@@ -177,6 +199,60 @@ void look_at_screen(const SimulatedBoard& board, BoardCheck& check, const std::v
     for (const std::string& error : board.receiver().errors()) check.faults.push_back(error);
 }
 
+/// The frames on the model, and the memory before the first.
+struct Recorded {
+    MemoryImage image;
+    std::vector<RecordedFrame> frames;
+};
+
+std::string frame_text(const FrameCheck& frame, int khz) {
+    return fmt::format(
+        "  cycles: model {}, board {}; {} more until the last pixel is in memory\n"
+        "  {:.2f} frames per second without waits; a board starts at most {:.1f}, one per frame of its "
+        "screen\n"
+        "  counters: {}\n"
+        "  pixels: {} of {} differ\n",
+        grouped(frame.model.cycles), grouped(frame.board.cycles),
+        grouped(frame.board.written_cycles - frame.board.cycles),
+        khz * 1e3 / double(frame.board.written_cycles), ScreenTiming::frames_per_second(),
+        frame.first_counter.empty() ? "equal" : frame.first_counter, frame.wrong_pixels,
+        frame.board.pixels.size());
+}
+
+/// A row for each frame, and a sentence for each frame whose counters differ.
+std::string film_text(const BoardCheck& check) {
+    Table table({"frame", "lines written", "cycles, model", "cycles, board", "wrong pixels", "counters"});
+    std::string sentences;
+    for (std::size_t f = 0; f < check.frames.size(); ++f) {
+        const FrameCheck& frame = check.frames[f];
+        table.add({std::to_string(f), grouped(frame.uploaded_lines), grouped(frame.model.cycles),
+                   grouped(frame.board.cycles), grouped(frame.wrong_pixels),
+                   frame.first_counter.empty() ? "equal" : "DIFFER"});
+        if (!frame.first_counter.empty())
+            sentences += fmt::format("  frame {}: {}\n", f, frame.first_counter);
+    }
+    return table.text() + sentences;
+}
+
+nlohmann::ordered_json json_of(const BoardCheck& check) {
+    nlohmann::ordered_json frames = nlohmann::ordered_json::array(), screen;
+    if (check.wrong_screen_pixels) screen = *check.wrong_screen_pixels;
+    for (const FrameCheck& frame : check.frames)
+        frames.push_back({{"lines_written", frame.uploaded_lines},
+                          {"cycles",
+                           {{"model", frame.model.cycles},
+                            {"board", frame.board.cycles},
+                            {"written", frame.board.written_cycles}}},
+                          {"cycle_gap", frame.gap()},
+                          {"counters_equal", frame.first_counter.empty()},
+                          {"wrong_pixels", frame.wrong_pixels},
+                          {"underruns", frame.board.underruns}});
+    return {{"frames", frames},
+            {"wrong_screen_pixels", screen},
+            {"faults", check.faults},
+            {"good", check.is_good()}};
+}
+
 int run_board(const BoardOptions& o) {
     const FrameSize size = parse_size(o.size);
     const Progress progress = stopping(terminal_progress());
@@ -186,18 +262,27 @@ int run_board(const BoardOptions& o) {
     std::unique_ptr<Port> port;
     if (o.port != simulated) port = std::make_unique<Port>(o.port, port_baud);
     Request request = request_of(o.scene, o.config, o.finish, 1, size, progress, o.view);
-    Config& config = request.config;
-    config.board_sdram = o.sdram;
+    request.config.board_sdram = o.sdram;
+    const Config config = request.config;
     if (!config.is_board())
         throw UserError("board needs a configuration with dram=board, such as ulx3s-board");
     const int khz = one_clock_of(o.clock, config);
     check_beam(khz);
-    Job job = make_job(request.scene, *request.scene.camera, size, config, progress, request.settings);
-    job.khz = khz;
-
+    if (o.frames.uploads != FramesOptions{}.uploads)
+        throw UserError("--uploads " + shown(o.frames.uploads) +
+                        ": the board's host writes between frames, so that a frame has the model's cycles");
+    const std::string name = request.scene.name;
+    Film film(std::move(request), o.frames, o.view.is_given(), size, progress);
+    if (!o.output.empty() && film.frames() > 1) check_film_folder(o.output, film.frames());
+    Recorded recorded;
+    for (std::size_t f = 0; f < film.frames(); ++f) {
+        film.next();
+        if (f == 0) recorded.image = film.job().image;
+        recorded.frames.push_back(film.record(0, progress));
+    }
+    const std::vector<FrameTiming> timings = replay(config, khz, recorded.frames, {}, progress);
+    stop_if_interrupted();
     BoardCheck check;
-    check.model = run_model(job, {}, progress);
-    const std::vector<Bytes> expected = expected_bytes(config, size, check.model);
 
     const Stopwatch watch;
     std::unique_ptr<SimulatedBoard> board;
@@ -217,10 +302,18 @@ int run_board(const BoardOptions& o) {
     BoardLink link(channel, settings);
     BoardHost host(link, config, part);
     std::uint64_t done = 0;
-    host.load(job.image, done, progress);
-    check.board = host.run(job.frame, longest_frame(check.model.cycles, khz), progress);
-    check.first_counter = counter_sentence(config, check.model.accounts, check.board.accounts);
-    check.wrong_pixels = differences(expected, check.board.pixels);
+    host.load(recorded.image, done, progress);
+    std::vector<Bytes> expected;
+    for (std::size_t f = 0; f < timings.size(); ++f) {
+        const RecordedFrame& frame = recorded.frames[f];
+        FrameCheck& now = check.frames.emplace_back(timings[f]);
+        now.uploaded_lines = f == 0 ? recorded.image.lines() : frame.upload.lines.size();
+        if (f > 0) host.update(frame.upload);
+        now.board = host.run(frame.frame, longest_frame(now.model.cycles, khz), progress);
+        now.first_counter = counter_sentence(config, now.model.accounts, now.board.accounts);
+        expected = expected_bytes(config, size, frame.trace);
+        now.wrong_pixels = differences(expected, now.board.pixels);
+    }
     if (board && !o.dark) {
         board->watch(2, progress);
         look_at_screen(*board, check, expected_screen(size, expected));
@@ -232,20 +325,12 @@ int run_board(const BoardOptions& o) {
     const double seconds = watch.seconds();
 
     if (!o.json.is_alone()) {
-        fmt::print("{} on {} at {:.1f} MHz, {}x{} pixels\n", request.scene.name,
-                   board ? "the simulated board" : o.port, khz / 1e3, size.width, size.height);
-        fmt::print("  cycles: model {}, board {}; {} more until the last pixel is in memory\n",
-                   grouped(check.model.cycles), grouped(check.board.cycles),
-                   grouped(check.board.written_cycles - check.board.cycles));
-        fmt::print(
-            "  {:.2f} frames per second without waits; a board starts at most {:.1f}, one per frame of "
-            "its screen\n",
-            khz * 1e3 / double(check.board.written_cycles), ScreenTiming::frames_per_second());
-        fmt::print("  counters: {}\n", check.first_counter.empty() ? "equal" : check.first_counter);
-        fmt::print("  pixels: {} of {} differ\n", check.wrong_pixels, expected.size());
+        fmt::print("{} on {} at {:.1f} MHz, {}x{} pixels\n", name, board ? "the simulated board" : o.port,
+                   khz / 1e3, size.width, size.height);
+        fmt::print("{}", film.frames() > 1 ? film_text(check) : frame_text(check.frames[0], khz));
         if (check.wrong_screen_pixels)
             fmt::print("  screen: {} of {} pixels differ, {} shown too late\n", *check.wrong_screen_pixels,
-                       Screens::width * Screens::height, check.board.underruns);
+                       Screens::width * Screens::height, check.frames.back().board.underruns);
         for (const std::string& fault : check.faults) fmt::print("  fault: {}\n", fault);
         if (board)
             fmt::print("  simulated {} cycles in {:.1f} s, {:.2f} M cycles/s\n",
@@ -255,31 +340,24 @@ int run_board(const BoardOptions& o) {
     }
     if (!o.output.empty()) {
         StagedFiles staged(o.output);
-        const auto write = [&](const char* name, const Picture& picture) {
-            write_file((staged.stage() / name).string(), png_bytes(picture));
+        const auto write = [&](const std::string& file, const Picture& picture) {
+            write_file((staged.stage() / file).string(), png_bytes(picture));
         };
-        write("model.png", picture_of(size, expected));
-        write("board.png", picture_of(size, check.board.pixels));
         if (check.wrong_screen_pixels)
             write("screen.png",
                   picture_of({int(Screens::width), int(Screens::height)}, board->screen().picture().pixels));
-        staged.publish();
+        if (film.frames() > 1) {
+            for (std::size_t f = 0; f < film.frames(); ++f)
+                write(frame_name(f), picture_of(size, check.frames[f].board.pixels));
+            const std::string said = make_film(staged, o.output, film.frames(), film.times().fps);
+            if (!o.json.is_alone()) fmt::print("  {}\n", said);
+        } else {
+            write("model.png", picture_of(size, expected));
+            write("board.png", picture_of(size, check.frames[0].board.pixels));
+            staged.publish();
+        }
     }
-    o.json.write(
-        {{"cycles",
-          {{"model", check.model.cycles},
-           {"board", check.board.cycles},
-           {"written", check.board.written_cycles}}},
-         {"cycle_gap", check.board.cycles > check.model.cycles ? check.board.cycles - check.model.cycles
-                                                               : check.model.cycles - check.board.cycles},
-         {"counters_equal", check.first_counter.empty()},
-         {"wrong_pixels", check.wrong_pixels},
-         {"wrong_screen_pixels", check.wrong_screen_pixels
-                                     ? nlohmann::ordered_json(*check.wrong_screen_pixels)
-                                     : nlohmann::ordered_json(nullptr)},
-         {"underruns", check.board.underruns},
-         {"faults", check.faults},
-         {"good", check.is_good()}});
+    o.json.write(json_of(check));
     return check.is_good() ? 0 : 1;
 }
 

@@ -15,11 +15,11 @@ namespace {
 constexpr std::uint32_t control_reset = 1, control_arm = 2, status_ready = 1, status_written = 2;
 constexpr LinkTime longest_start{250'000};   // of the memory, which needs 200 us
 
-std::vector<MemoryLine> lines_of(const MemoryImage& image) {
-    std::vector<MemoryLine> lines(image.words.size() / 16);
-    for (std::size_t i = 0; i < image.words.size(); ++i)
+std::vector<MemoryLine> lines_of(const std::vector<std::uint32_t>& words) {
+    std::vector<MemoryLine> lines(words.size() / 16);
+    for (std::size_t i = 0; i < words.size(); ++i)
         for (std::size_t b = 0; b < 4; ++b)
-            lines[i / 16][i % 16 * 4 + b] = std::uint8_t(image.words[i] >> (8 * b));
+            lines[i / 16][i % 16 * 4 + b] = std::uint8_t(words[i] >> (8 * b));
     return lines;
 }
 
@@ -37,18 +37,36 @@ BoardHost::BoardHost(BoardLink& link, const Config& config, const SdramPart& par
         throw UserError(fmt::format("the board has {} MB of memory, and {} has {} MB", board.lines * 64 >> 20,
                                     part.name, part.bytes() >> 20));
     wait_for(status_ready, longest_start, "its memory has not started");
+    reset();
+}
+
+void BoardHost::reset() {
     link_.write(BoardRegister::control, control_reset);
     link_.write(BoardRegister::control, 0);
 }
 
-void BoardHost::load(const MemoryImage& image, std::uint64_t& done, const Progress& progress) {
-    const std::vector<MemoryLine> lines = lines_of(image);
-    if (lines.size() > Screens::base(part_, 0))
+void BoardHost::check_capacity(std::uint64_t lines) const {
+    if (lines > Screens::base(part_, 0))
         throw UserError(
             fmt::format("the scene's memory image of {} bytes does not fit below the pictures: the "
                         "board has {} bytes for it",
-                        lines.size() * 64, std::uint64_t(Screens::base(part_, 0)) * 64));
+                        lines * 64, std::uint64_t(Screens::base(part_, 0)) * 64));
+}
+
+void BoardHost::load(const MemoryImage& image, std::uint64_t& done, const Progress& progress) {
+    const std::vector<MemoryLine> lines = lines_of(image.words);
+    check_capacity(lines.size());
     link_.upload(0, lines, done, progress);
+}
+
+void BoardHost::update(const Upload& upload) {
+    check_capacity(upload.image_lines);
+    const std::vector<MemoryLine> lines = lines_of(upload.words);
+    for (std::size_t begin = 0, end = 0; begin < lines.size(); begin = end) {   // consecutive lines
+        for (end = begin + 1; end < lines.size() && upload.lines[end] == upload.lines[end - 1] + 1;) ++end;
+        link_.write_lines(upload.lines[begin], std::span(lines).subspan(begin, end - begin));
+    }
+    if (upload.resets) reset();
 }
 
 void BoardHost::wait_for(std::uint32_t bit, LinkTime most, const char* event) {

@@ -7,6 +7,7 @@
 
 #include "model/base/progress.hpp"
 #include "model/board/board_memory.hpp"
+#include "model/compile/upload.hpp"
 #include "model/core/frame.hpp"
 #include "model/layout/memory_image.hpp"
 #include "model/machine/units.hpp"
@@ -33,11 +34,15 @@ public:
     /// Writes the memory image. `done` counts lines that the board has; a call with the same arguments
     /// continues after LinkLost.
     void load(const MemoryImage& image, std::uint64_t& done, const Progress& progress = {});
+    /// Writes the lines of an upload, and resets the chip if its caches may hold older ones.
+    void update(const Upload& upload);
     /// Draws a frame into the picture that is not shown, reads counters and pixels, and shows the picture.
     /// `most`: the longest time from the command to the last pixel in memory.
     BoardFrame run(const Frame& frame, LinkTime most, const Progress& progress = {});
 
 private:
+    void reset();
+    void check_capacity(std::uint64_t lines) const;
     /// Reads the register `status` until it has this bit. `event` ends the sentence of the UserError.
     void wait_for(std::uint32_t bit, LinkTime most, const char* event);
     std::uint64_t read_counter(std::uint32_t address);

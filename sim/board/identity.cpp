@@ -1,7 +1,7 @@
 // The hash of a configuration: FNV-1a of its package, 64 bits.
 #include "sim/board/identity.hpp"
 
-#include "sim/files/cache/libraries.hpp"
+#include "sim/files/cache/hash.hpp"
 #include "sim/run/gen/rc_pkg.hpp"
 
 namespace rayclock {

@@ -4,6 +4,7 @@
 #include "sim/board/host.hpp"
 #include "sim/board/simulated_board.hpp"
 #include "sim/files/image/srgb.hpp"
+#include "sim/run/film/choice.hpp"
 #include "sim/run/frame/frame.hpp"
 #include "sim/run/request/request.hpp"
 
@@ -72,13 +73,13 @@ private:
     bool ran_ = false;
 };
 
-std::vector<Bytes> bytes_of_frame(const Job& job, const FrameResult& frame) {
+std::vector<Bytes> bytes_of_frame(const Job& job, const Trace& frame) {
     std::vector<Bytes> bytes;
     if (job.config.has_shade())
         for (const glm::vec3& pixel : picture_from_colours(job.size, frame.colours).pixels)
             bytes.push_back(srgb_bytes(pixel));
     else
-        for (const Closest& hit : frame.answers) bytes.push_back(label_colour(hit.found, hit.prim));
+        for (const Closest& hit : frame.hits) bytes.push_back(label_colour(hit.found, hit.prim));
     return bytes;
 }
 
@@ -102,25 +103,27 @@ std::vector<Bytes> on_screen(FrameSize size, const std::vector<Bytes>& bytes) {
     return screen;
 }
 
-/// Draws frames of turning cameras on the board and on the model, and requires that everything is equal.
+/// Draws frames on the board and on the model, and requires that everything is equal. The camera turns,
+/// unless the scene moves.
 void require_equal_frames(const Setting& s, int frames) {
     INFO(s.scene << ", " << s.size.width << "x" << s.size.height << ", " << s.khz << " kHz, " << s.sdram);
     Finish finish;
     if (s.depth > 0) finish.depth = s.depth;
     Request request = request_of(s.scene, s.config, finish, 1, s.size, {});
     request.config.board_sdram = s.sdram;
-    const Config& config = request.config;
-    Job job = make_job(request.scene, *request.scene.camera, s.size, config, {}, request.settings);
-    job.khz = s.khz;
+    const Config config = request.config;
+    FramesOptions options;
+    options.frames = frames;
+    if (!moves(request.scene)) options.pan = 5;
+    Film film(std::move(request), options, false, s.size);
 
     std::vector<Job> jobs;
     std::vector<RecordedFrame> recorded;
     for (int f = 0; f < frames; ++f) {
-        Camera camera = *request.scene.camera;
-        camera.fov_degrees += 5 * f;
-        jobs.push_back(job);
-        jobs.back().frame = job_frame(job, camera);
-        recorded.push_back(record_frame(job, jobs.back().frame));
+        film.next();
+        jobs.push_back(film.job());
+        recorded.push_back(film.record(0, {}));
+        CHECK(film.moves() == !recorded.back().upload.lines.empty());
     }
     const std::vector<FrameTiming> model = replay(config, s.khz, recorded);
 
@@ -131,18 +134,19 @@ void require_equal_frames(const Setting& s, int frames) {
     BoardLink link(watched, settings);
     BoardHost host(link, config, sdram_part(s.sdram));
     std::uint64_t done = 0;
-    host.load(job.image, done);
+    host.load(jobs[0].image, done);
     std::vector<Bytes> expected;
     for (int f = 0; f < frames; ++f) {
         INFO("frame " << f);
         const std::size_t i = std::size_t(f);
+        if (f > 0) host.update(recorded[i].upload);
         const BoardFrame frame = host.run(jobs[i].frame, LinkTime(1'000'000));
         CHECK(frame.cycles == model[i].cycles);
         CHECK(frame.written_cycles > frame.cycles);
         CHECK(frame.written_cycles < frame.cycles + 2000);
         CHECK(frame.underruns == 0);
         require_counters(config, model[i].accounts, frame.accounts);
-        expected = bytes_of_frame(jobs[i], run_model(jobs[i]));
+        expected = bytes_of_frame(jobs[i], recorded[i].trace);
         CHECK(frame.pixels == expected);
         REQUIRE(watched.starts.size() == i + 1);
         CHECK(watched.starts.back() == BoardMemory::start_cycles);
@@ -168,6 +172,10 @@ TEST_CASE("the rtl of the simulated board is built", "[.build]") {
 
 TEST_CASE("two frames of a shading chip on the board are the model's", "[simulated]") {
     require_equal_frames({}, 2);
+}
+
+TEST_CASE("frames of a scene that moves are the model's", "[simulated]") {
+    require_equal_frames({.scene = "clockwork:1"}, 2);
 }
 
 TEST_CASE("a frame of a camera's chip on the board is the model's, up to the screen", "[simulated]") {

@@ -70,3 +70,9 @@ mutant(host_shows_the_last_picture FILE sim/board/host.cpp TEST board "a frame o
     const]]
   NEW [[link_.write(BoardRegister::base, shown);
     const]])
+mutant(host_keeps_the_caches FILE sim/board/host.cpp TEST board "frames of a scene that moves*"
+  OLD [[if (upload.resets) reset();]]
+  NEW [[]])
+mutant(host_writes_one_run_of_lines FILE sim/board/host.cpp TEST board "frames of a scene that moves*"
+  OLD [[begin < lines.size(); begin = end)]]
+  NEW [[begin < lines.size(); begin = lines.size())]])

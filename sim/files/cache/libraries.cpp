@@ -19,6 +19,7 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
+#include "sim/files/cache/hash.hpp"
 #include "sim/files/input.hpp"
 
 namespace rayclock {
@@ -140,12 +141,6 @@ fs::path rtl_cache() {
     mkdir(place.folder.c_str(), 0700);
     check_trusted(place.folder, "");
     return place.folder;
-}
-
-std::uint64_t hash_of(const std::string& bytes) {
-    std::uint64_t h = 0xcbf29ce484222325u;
-    for (const unsigned char c : bytes) h = (h ^ c) * 0x100000001b3u;
-    return h;
 }
 
 fs::path library_of(const fs::path& entry) {

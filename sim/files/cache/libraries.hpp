@@ -22,9 +22,6 @@ CachePlace cache_place();
 /// program. Throws UserError if others can write to the folder.
 std::filesystem::path rtl_cache();
 
-/// Returns the 64-bit FNV-1a hash.
-std::uint64_t hash_of(const std::string& bytes);
-
 /// The prefix of the entry for Verilator's own sources. Its library is an object file that is linked to the
 /// others.
 inline constexpr const char *support_begin = "rc_verilated-", *support_name = "support.o";

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
-#include "sim/files/cache/libraries.hpp"
+#include "sim/files/cache/hash.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/json_value.hpp"
 #include "sim/files/output.hpp"

@@ -12,6 +12,7 @@
 #include "model/base/interrupted.hpp"
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
+#include "sim/files/cache/hash.hpp"
 #include "sim/files/scratch.hpp"
 #include "sim/run/rtl/adapter.hpp"
 #include "sim/run/rtl/compile.hpp"
