@@ -18,8 +18,7 @@ constexpr LinkTime longest_start{250'000};   // of the memory, which needs 200 u
 std::vector<MemoryLine> lines_of(const std::vector<std::uint32_t>& words) {
     std::vector<MemoryLine> lines(words.size() / 16);
     for (std::size_t i = 0; i < words.size(); ++i)
-        for (std::size_t b = 0; b < 4; ++b)
-            lines[i / 16][i % 16 * 4 + b] = std::uint8_t(words[i] >> (8 * b));
+        for (std::size_t b = 0; b < 4; ++b) lines[i / 16][i % 16 * 4 + b] = std::uint8_t(words[i] >> (8 * b));
     return lines;
 }
 

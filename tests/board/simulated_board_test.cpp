@@ -175,7 +175,7 @@ TEST_CASE("two frames of a shading chip on the board are the model's", "[simulat
 }
 
 TEST_CASE("frames of a scene that moves are the model's", "[simulated]") {
-    require_equal_frames({.scene = "clockwork:1"}, 2);
+    require_equal_frames({.scene = "tests/board/moving.json"}, 2);
 }
 
 TEST_CASE("a frame of a camera's chip on the board is the model's, up to the screen", "[simulated]") {
