@@ -59,7 +59,7 @@ module rc_link #(
   input  logic                            host_rd_valid_i,
   input  logic [15:0]                     host_rd_data_i,
   // Statistics
-  output logic                            bad_o              // a packet or part was dropped
+  output logic                            bad_o              // a checksum was wrong, or silence
 );
   if (LineBits < 1 || LineBits > 31) begin : gen_refuse
     $error("rc_link: LineBits must be 1 to 31");

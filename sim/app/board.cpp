@@ -306,7 +306,8 @@ int run_board(const BoardOptions& o) {
     std::vector<Bytes> expected;
     for (std::size_t f = 0; f < timings.size(); ++f) {
         const RecordedFrame& frame = recorded.frames[f];
-        FrameCheck& now = check.frames.emplace_back(timings[f]);
+        FrameCheck& now = check.frames.emplace_back();
+        now.model = timings[f];
         now.uploaded_lines = f == 0 ? recorded.image.lines() : frame.upload.lines.size();
         if (f > 0) host.update(frame.upload);
         now.board = host.run(frame.frame, longest_frame(now.model.cycles, khz), progress);
