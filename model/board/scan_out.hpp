@@ -29,19 +29,20 @@ struct ShownPicture {
     bool operator==(const ShownPicture&) const = default;
 };
 
-/// Returns the longest time between two lines that causes no underrun, in cycles of the chip. The memory may
-/// serve scan-out only when it is urgent. A row of blocks is shown for four lines of the screen, or eight if
-/// doubled, and in this time the next row falls due. The sum of this time and of the memory's latency must
-/// be at most worst_delay_cycles(). The latency must be at most ScanOut::Shape::in_flight times this time.
+/// Returns the longest time between two lines of memory that causes no underrun, in cycles of the chip. The
+/// memory may serve scan-out only when it is urgent. A row of blocks is shown for four lines of the screen,
+/// or eight if doubled, and in this time the next row falls due. The sum of this time and of the memory's
+/// latency must be at most worst_delay_cycles(). The latency must be at most ScanOut::Shape::in_flight times
+/// this time.
 constexpr std::uint32_t worst_line_cycles(const ShownPicture& picture, std::uint32_t chip_khz,
                                           std::uint32_t pixel_khz) {
     const std::uint64_t pixel_clocks = std::uint64_t(ScreenTiming::total_width) * (4U << picture.doubled);
     return std::uint32_t(pixel_clocks * chip_khz / (std::uint64_t(pixel_khz) * ((picture.width + 3) / 4)));
 }
 
-/// Returns the longest time from a due block to its last beat, in cycles of the chip. The last block of a row
-/// falls due when the beam enters the horizontal blank before that row. So the time is the blank and the
-/// screen's pixels left of the block. Four pixel clocks remain for the pipeline.
+/// Returns the longest time from when a block falls due to its last beat, in cycles of the chip. The last
+/// block of a row falls due when the beam enters the horizontal blank before that row. So the time is the
+/// blank and the screen's pixels left of the block. Four pixel clocks remain for the pipeline.
 constexpr std::uint32_t worst_delay_cycles(const ShownPicture& picture, std::uint32_t chip_khz,
                                            std::uint32_t pixel_khz) {
     const std::uint32_t left = (ScreenTiming::shown_width - (picture.width << picture.doubled)) / 2,
@@ -98,7 +99,7 @@ private:
     bool ticks() const { return phase_ + shape_.pixel_khz >= shape_.chip_khz; }
     Fetch under_beam() const;
     bool row_ends() const;
-    /// Ticks before the one that opens a row, takes a picture over, or of nears().
+    /// Ticks before the next event: a row opens, a picture is taken over, or nears() is true.
     std::uint32_t ticks_to_event() const;
 
     Shape shape_;

@@ -64,7 +64,7 @@ Sdram::Decision Sdram::decide() const {
     return decide_row(current_);
 }
 
-/// Compares the row of the selected request with the last row of its bank, for the next cycle.
+/// Compares the row of the selected request with the row that its bank had open last, for the next cycle.
 void Sdram::compare_row() {
     const bool first = bursts_ == 0;
     const Held& selected = first ? current_ : next_;

@@ -58,7 +58,7 @@ public:
     using Place = BoardMemory::Place;
 
     /// Prepares a frame with this picture. Call it once before the frame's cycle 0. With dram=board it takes
-    /// time that does not count, neither in outcomes() nor in stats().
+    /// time that counts neither in outcomes() nor in stats().
     void start_frame(std::uint32_t width, std::uint32_t height);
     /// True if the places of pixels matter: clock() then needs them.
     bool draws() const { return board_.has_value(); }
@@ -125,7 +125,7 @@ private:
     // At most one of these two is present; the ideal memory needs neither.
     std::optional<DramChannels> dram_;
     std::optional<BoardMemory> board_;
-    MemoryStats before_frames_;   // of the board, in start_frame()
+    MemoryStats before_frames_;   // the board's counts during start_frame()
     std::optional<FrameBuffer> frame_buffer_;
     Traffic traffic_;
     Rng rng_;

@@ -219,7 +219,7 @@ module rc_sdram #(
   logic [RowBits-1:0] sel_row;
   logic [1:0]         sel_bank;
   logic               known_q;     // the row of the selected request has been compared
-  logic               equal_q;     // it is the last row of its bank
+  logic               equal_q;     // it is the row that its bank had open last
 
   assign sel_valid = first ? cur_valid_q : nxt_valid_q;
   assign sel_row   = first ? cur_row_q : nxt_row_q;

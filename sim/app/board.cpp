@@ -1,4 +1,4 @@
-// rayclock board: draws a frame on a real or simulated board, and compares it with the model's.
+// rayclock board: draws frames on a real or simulated board, and compares them with the model's.
 #include <algorithm>
 #include <filesystem>
 #include <functional>
@@ -35,7 +35,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* simulated = "simulated";
 constexpr int port_baud = 3'000'000;
-/// Cycles of a bit on the wire of a simulated board: few, because each cycle costs time. rc_baud needs four.
+/// Cycles of a bit on the wire of a simulated board: few, because each cycle costs time. rc_baud needs
+/// at least four.
 constexpr int simulated_cycles_per_bit = 5;
 
 struct BoardOptions {
@@ -64,9 +65,9 @@ void declare_board(Parser& parser, BoardOptions& o) {
         .with_default();
     parser.option("--sdram", o.sdram, "memory of the board: as4c32m16sb or is42s16160g").with_default();
     parser.flag("--dark", o.dark, "leave out the simulated screen, which is faster");
-    parser.option(
-        "-o,--output", o.output,
-        "folder for the pictures: the model's, the one read from the board, and the simulated screen");
+    parser.option("-o,--output", o.output,
+                  "folder for model.png, board.png and screen.png; of a film for frame_NNNN.png, film.png "
+                  "and screen.png");
     json_option(parser, o.json);
 }
 
@@ -87,13 +88,13 @@ private:
     LinkTime slice_;
 };
 
-/// A frame of the screen must last a whole number of cycles. Otherwise the frame's cycles would depend on the
-/// number of frames that the screen has shown.
+/// A screen period must last a whole number of cycles. Otherwise the cycles of a frame would depend on the
+/// number of periods before it.
 void check_beam(int khz) {
     constexpr int step = 5;
     if (khz % step != 0)
         throw UserError(
-            fmt::format("--clock {:g}: a frame of the screen must last a whole number of cycles, "
+            fmt::format("--clock {:g}: a screen period must last a whole number of cycles, "
                         "so the clock must be a multiple of {:g} MHz",
                         khz / 1e3, step / 1e3));
 }
@@ -182,8 +183,8 @@ std::string counter_sentence(const Config& config, const Accounts& model, const 
     return {};
 }
 
-/// Returns the time after which a board that draws counts as hung: twice the model's frame, and a quarter of
-/// a second for the wait for the vertical blank and for the link.
+/// Returns the time after which a drawing board counts as hung. It is twice the model's frame plus 250 ms for
+/// the vertical blank and the link.
 LinkTime longest_frame(std::uint64_t cycles, int khz) {
     return LinkTime(2000 * cycles / std::uint64_t(khz) + 250'000);
 }
@@ -199,7 +200,7 @@ void look_at_screen(const SimulatedBoard& board, BoardCheck& check, const std::v
     for (const std::string& error : board.receiver().errors()) check.faults.push_back(error);
 }
 
-/// The frames on the model, and the memory before the first.
+/// The model's frames, and the memory image of the first.
 struct Recorded {
     MemoryImage image;
     std::vector<RecordedFrame> frames;
@@ -208,8 +209,9 @@ struct Recorded {
 std::string frame_text(const FrameCheck& frame, int khz) {
     return fmt::format(
         "  cycles: model {}, board {}; {} more until the last pixel is in memory\n"
-        "  {:.2f} frames per second without waits; a board starts at most {:.1f}, one per frame of its "
-        "screen\n"
+        "  {:.2f} frames per second without the wait for the vertical blank; a board starts at most {:.1f}, "
+        "one "
+        "per screen period\n"
         "  counters: {}\n"
         "  pixels: {} of {} differ\n",
         grouped(frame.model.cycles), grouped(frame.board.cycles),
@@ -270,7 +272,7 @@ int run_board(const BoardOptions& o) {
     check_beam(khz);
     if (o.frames.uploads != FramesOptions{}.uploads)
         throw UserError("--uploads " + shown(o.frames.uploads) +
-                        ": the board's host writes between frames, so that a frame has the model's cycles");
+                        ": a board's host writes only between frames");
     const std::string name = request.scene.name;
     Film film(std::move(request), o.frames, o.view.is_given(), size, progress);
     if (!o.output.empty() && film.frames() > 1) check_film_folder(o.output, film.frames());

@@ -9,6 +9,7 @@
 #include "model/base/error.hpp"
 #include "model/base/interrupted.hpp"
 #include "model/base/nearest.hpp"
+#include "model/board/sdram_parts.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/run/clock.hpp"
 #include "sim/app/parts/methods.hpp"
@@ -33,7 +34,7 @@ struct ChipOptions {
     std::vector<std::string> units;
     std::string device = "lfe5u-85", seeds = "1", output, scene, size = default_size;
     MethodOptions methods;
-    std::string clock = "75";
+    std::optional<std::string> clock, sdram;
     bool fast = false, fresh = false, no_textures = false, board = false;
     JsonOutput json;
 };
@@ -44,9 +45,11 @@ void declare_chip(Parser& parser, ChipOptions& o) {
         .by_commas();
     parser.flag("--board", o.board,
                 "route the chip within a ULX3S board, from pin to pin, and make its bitstream, board.bit");
-    parser.option("--clock", o.clock, "the chip's clock on the board, 75 or 62.5 MHz").with_default();
+    parser.option("--clock", o.clock, "with --board: the chip's clock, 75 or 62.5 MHz; 75 if not given");
+    parser.option("--sdram", o.sdram,
+                  "with --board: its memory, as4c32m16sb or is42s16160g; as4c32m16sb if not given");
     parser.option("--device", o.device, "lfe5u-25, lfe5u-45 or lfe5u-85").with_default();
-    parser.option("--seeds", o.seeds, "seeds of the placer, as 1,2,3 or 1:8; the fastest result counts")
+    parser.option("--seeds", o.seeds, "seeds of the placer, as 1,2,3 or 1:8; the best result counts")
         .with_default();
     method_options(parser, o.methods, "Place and route");
     parser.flag("--fast", o.fast,
@@ -189,7 +192,7 @@ int print_chips(const ChipOptions& o, const ChipRequest& asked, const std::vecto
     if (o.board && all[0].fits())
         text +=
             all[0].bitstream.empty()
-                ? std::string("  A clock is missed, so there is no bitstream; another seed may keep it.\n")
+                ? std::string("  A clock is missed, so there is no bitstream; another seed may meet it.\n")
                 : fmt::format("  bitstream: {} bytes{}\n", grouped(all[0].bitstream.size()),
                               o.output.empty() ? "; -o FOLDER writes it"
                                                : fmt::format("; load it with: openFPGALoader --board "
@@ -224,16 +227,19 @@ int run_chip(const ChipOptions& o) {
     const chip::Methods of_chip = methods_of(o.methods, "chip");   // throws UserError for wrong methods
     if (o.board && (o.fast || !o.units.empty() || !o.scene.empty()))
         throw UserError("--board: a board is routed as a whole; leave out --unit, --fast and --scene");
+    if ((o.clock || o.sdram) && !o.board)
+        throw UserError("--clock and --sdram need --board; without it, routing determines the clock");
     o.json.check();
     const Progress progress = terminal_progress();
-    const ChipRequest asked = asked_of(o, progress);
+    ChipRequest asked = asked_of(o, progress);
     const std::vector<std::string> tops = tops_of(o, asked.config);
     int khz = 0;
     if (o.board) {
         if (!asked.config.is_board())
             throw UserError("--board needs a configuration with dram=board, such as ulx3s-board");
-        khz = one_clock_of(o.clock, asked.config);
+        khz = one_clock_of(o.clock.value_or("75"), asked.config);
         chip::check_pll(khz);
+        if (o.sdram) asked.config.board_sdram = sdram_part(*o.sdram).name;
     }
     const OutputFolder folder(o.output);
     jobs::Cache cache(rtl_cache() / "chip", o.fresh);

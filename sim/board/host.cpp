@@ -72,7 +72,7 @@ void BoardHost::wait_for(std::uint32_t bit, LinkTime most, const char* event) {
     const LinkTime end = link_.now() + most;
     for (bool is_last = false; !(link_.read(BoardRegister::status) & bit); is_last = link_.now() >= end)
         if (is_last)
-            throw UserError(fmt::format("the board hangs: after {} ms {}", most.count() / 1000, event));
+            throw UserError(fmt::format("the board hangs: {} after {} ms", event, most.count() / 1000));
 }
 
 std::uint64_t BoardHost::read_counter(std::uint32_t address) {

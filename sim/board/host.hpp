@@ -20,7 +20,7 @@ struct BoardFrame {
     std::uint64_t cycles = 0;           ///< of the chip
     std::uint64_t written_cycles = 0;   ///< until the last pixel is in memory
     Accounts accounts;                  ///< of all units except the memory
-    std::uint32_t underruns = 0;        ///< pixels that came too late for the screen, since the reset
+    std::uint32_t underruns = 0;        ///< pixels that came too late for the screen, since the board's reset
     std::vector<std::array<std::uint8_t, 3>> pixels;   ///< [y * width + x]: red, green, blue
 };
 
@@ -43,7 +43,7 @@ public:
 private:
     void reset();
     void check_capacity(std::uint64_t lines) const;
-    /// Reads the register `status` until it has this bit. `event` ends the sentence of the UserError.
+    /// Reads the register `status` until this bit is 1. `event` ends the sentence of the UserError.
     void wait_for(std::uint32_t bit, LinkTime most, const char* event);
     std::uint64_t read_counter(std::uint32_t address);
     void read_accounts(Accounts& accounts);

@@ -45,10 +45,11 @@ TEST_CASE("a frame's figures leave out the time before its cycle 0", "[chip][sta
     memory.start_frame(32, 24);
     CHECK(memory.stats() == MemoryStats{});
 
-    const std::uint64_t cycles = 100'000, interval = 585;   // of refreshes: 7.8 us at 75 MHz
+    const std::uint64_t cycles = 100'000, interval = 584;   // cycles between refreshes: 7.8 us at 75 MHz,
+                                                            // rounded down
     for (std::uint64_t i = 0; i < cycles; ++i) memory.clock(nullptr);
     const MemoryStats frame = memory.stats();
-    // The blank takes 108,000 cycles, so only the first two rows of the screen's blocks are read: 16 lines,
+    // The blank takes 108,000 cycles, so only the first two rows of the picture's blocks are read: 16 lines,
     // of which two were accepted in the 20 cycles before cycle 0.
     CHECK(frame.scanned == 2 * 32 / 4 - 2);
     CHECK(frame.refreshes >= cycles / interval - 1);

@@ -182,7 +182,7 @@ TEST_CASE("a frame of a camera's chip on the board is the model's, up to the scr
     require_equal_frames({.config = camera_chip(), .is_lit = true, .depth = 0}, 1);
 }
 
-TEST_CASE("a frame that does not end in time is one sentence", "[simulated]") {
+TEST_CASE("a frame that does not end in time is reported in one sentence", "[simulated]") {
     const Config config = load_config(camera_chip());
     SimulatedBoard board(config, shape_of({}));
     BoardLink link(board, {.baud = shape_of({}).baud, .hello = 1});
@@ -190,7 +190,7 @@ TEST_CASE("a frame that does not end in time is one sentence", "[simulated]") {
     // The blank, in which the frame would start, is up to 16.8 ms away.
     Frame frame;
     frame.width = 16, frame.height = 12;
-    CHECK_THROWS_WITH(host.run(frame, LinkTime(1000)), "the board hangs: after 1 ms the frame has not ended");
+    CHECK_THROWS_WITH(host.run(frame, LinkTime(1000)), "the board hangs: the frame has not ended after 1 ms");
 }
 
 TEST_CASE("the smaller SDRAM has the rows of its model", "[simulated][slow]") {

@@ -220,15 +220,17 @@ public:
         route("81.5");
     }
 
-    void route(const std::string& mhz) const {
+    /// Routes a seed, 1 to 9, to these clocks.
+    void route(const std::string& mhz, const std::string& shift_mhz = "310.25", char seed = '1') const {
         const auto clock = [](const std::string& net, const std::string& achieved, const char* asked) {
             return "\"$glbnet$" + net + "\": {\"achieved\": " + achieved + ", \"constraint\": " + asked + "}";
         };
-        fake_.folder().write("report", "{\"fmax\": {" + clock("shift_clk", "310.25", "125") + ", " +
-                                           clock("clk", mhz, "75") + ", " + clock("pixel_clk", "99", "25") +
-                                           "}}");
-        fake_.replace("cp() { /bin/cp \"$@\"; /bin/cp '" + fake_.folder().name("report") +
-                      "' report.json; case \"$*\" in *delays.sdf*) echo routed > board.config;; esac; }");
+        fake_.folder().write(std::string("report-") + seed,
+                             "{\"fmax\": {" + clock("shift_clk", shift_mhz, "125") + ", " +
+                                 clock("clk", mhz, "75") + ", " + clock("pixel_clk", "99", "25") + "}}");
+        fake_.replace(
+            "for seed; do :; done; cp() { /bin/cp \"$@\"; /bin/cp '" + fake_.folder().name("report-") +
+            "'$seed report.json; case \"$*\" in *delays.sdf*) echo routed $seed > board.config;; esac; }");
     }
     void pack(const std::string& script) const {
         fake_.folder().write("bin/ecppack",
@@ -250,7 +252,7 @@ private:
 
 }   // namespace
 
-TEST_CASE("chip --board routes the board with its pins, and packs a bitstream if all clocks are kept") {
+TEST_CASE("chip --board routes the board with its pins, and packs a bitstream if all clocks are met") {
     const FakeBoard board;
     const std::string out = board.fake().folder().name("out"), report = board.fake().folder().name("a.json");
     const Outcome first = board.run({"-o", out, "--json", report});
@@ -259,21 +261,23 @@ TEST_CASE("chip --board routes the board with its pins, and packs a bitstream if
     CHECK_THAT(first.out, Catch::Contains("ULX3S with 'ulx3s-board' at 75 MHz on lfe5u-85") &&
                               Catch::Contains("routed: 81.5 MHz with seed 1") &&
                               Catch::Contains("openFPGALoader --board ulx3s " + out + "/board.bit"));
-    CHECK(bytes_of(out + "/board.bit") == "routed\n");
+    CHECK(bytes_of(out + "/board.bit") == "routed 1\n");
     CHECK_THAT(bytes_of(board.fake().calls()),
                Catch::Contains("--lpf board.lpf --seed 1") && Catch::Contains("--textcfg board.config"));
     const json figures = json::parse(bytes_of(report));
     CHECK(figures["fmax_mhz"] == 81.5);
-    CHECK(figures["bitstream_bytes"] == 7);
-    CHECK(figures["clocks"] == json{{{"name", "clk"}, {"asked_mhz", 75}, {"fmax_mhz", 81.5}},
-                                    {{"name", "pixel_clk"}, {"asked_mhz", 25}, {"fmax_mhz", 99}},
-                                    {{"name", "shift_clk"}, {"asked_mhz", 125}, {"fmax_mhz", 310.25}}});
+    CHECK(figures["bitstream_bytes"] == 9);
+    CHECK(figures["clocks"] == json{{{"name", "clk"}, {"target_mhz", 75}, {"fmax_mhz", 81.5}},
+                                    {{"name", "pixel_clk"}, {"target_mhz", 25}, {"fmax_mhz", 99}},
+                                    {{"name", "shift_clk"}, {"target_mhz", 125}, {"fmax_mhz", 310.25}}});
 
     const int routed = board.fake().routed();
     CHECK(board.run({"-o", out}).out == first.out);
     CHECK(board.fake().routed() == routed);
     CHECK(board.run({"--clock", "62.5"}).code == 0);   // another PLL is another design
     CHECK(board.fake().routed() == 2 * routed);
+    CHECK(board.run({"--sdram", "is42s16160g"}).code == 0);   // the same holds for another memory
+    CHECK(board.fake().routed() == 3 * routed);
 }
 
 TEST_CASE("chip --board makes no bitstream of a board that misses a clock") {
@@ -285,12 +289,22 @@ TEST_CASE("chip --board makes no bitstream of a board that misses a clock") {
     CHECK_THAT(missed.out, Catch::Contains("MISSED") && Catch::Contains("there is no bitstream"));
     CHECK(fs::exists(out + "/report.txt"));
     CHECK_FALSE(fs::exists(out + "/board.bit"));
+    board.route("90", "124.9", '2');   // faster, but it misses the screen's clock
+    CHECK(board.run({"--seeds", "2"}).code == 1);
+    board.route("75", "125", '3');
+    const Outcome kept = board.run({"--seeds", "1:3", "-o", out});
+    CHECK(kept.code == 0);
+    CHECK_THAT(kept.out, Catch::Contains("routed: 75.0 MHz with seed 3") && !Catch::Contains("MISSED"));
+    CHECK(bytes_of(out + "/board.bit") == "routed 3\n");
 }
 
-TEST_CASE("chip --board refuses what it cannot make") {
+TEST_CASE("chip --board refuses wrong options and failing tools") {
     const FakeBoard board;
     check_refused(board.run({"--clock", "70"}), {"--clock 70", "75 or 62.5 MHz"});
     check_refused(run_program({"chip", "--config", "small", "--board"}), {"dram=board"});
+    check_refused(run_program({"chip", "--clock", "75"}), {"--clock and --sdram need --board"});
+    check_refused(run_program({"chip", "--sdram", "is42s16160g"}), {"--clock and --sdram need --board"});
+    check_refused(board.run({"--sdram", "is42"}), {"is42"});
     check_refused(board.run({"--unit", "box"}), {"leave out --unit"});
     check_refused(board.run({"--fast"}), {"leave out --unit, --fast"});
     board.pack("echo 'ERROR: no such tile'; exit 1");

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/board/sdram_parts.hpp"
 #include "sim/board/identity.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/process/process.hpp"
@@ -17,7 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Returns ecppack beside nextpnr, from which it takes the name's first part, or in PATH.
+/// Returns the path of ecppack. Prefers the one in nextpnr's folder with the same prefix ("yowasp-"), then
+/// one in PATH.
 fs::path packer() {
     const fs::path router = nextpnr().program;
     std::string name = router.filename().string();
@@ -35,8 +37,8 @@ fs::path packer() {
 
 void check_pll(int khz) {
     if (khz != 75'000 && khz != 62'500)
-        throw UserError(fmt::format("--clock {:g}: the board's PLL makes 75 or 62.5 MHz, which must be given",
-                                    khz / 1e3));
+        throw UserError(
+            fmt::format("--clock {:g}: the board's PLL makes 75 or 62.5 MHz; give one of these", khz / 1e3));
 }
 
 std::string board_verilog() { return read_file((rtl_sources() / "ecp5/rc_ulx3s.v").string()); }
@@ -44,7 +46,8 @@ std::string board_verilog() { return read_file((rtl_sources() / "ecp5/rc_ulx3s.v
 std::string board_pins() { return read_file((rtl_sources() / "ecp5/ulx3s.lpf").string()); }
 
 std::string board_parameters(const Config& config, int khz) {
-    return fmt::format("-chparam CLK_KHZ {} -chparam CONFIG_HASH 64'h{:016x}", khz, config_hash(config));
+    return fmt::format("-chparam CLK_KHZ {} -chparam COLUMN_BITS {} -chparam CONFIG_HASH 64'h{:016x}", khz,
+                       sdram_part(config.board_sdram).column_bits, config_hash(config));
 }
 
 const std::string& packer_version() {

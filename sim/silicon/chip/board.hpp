@@ -7,29 +7,30 @@
 
 namespace rayclock::chip {
 
-/// The name of the board among the designs to route, where a unit or "chip" can stand.
+/// The value of Request::top for the board, instead of "chip" or the name of a unit.
 constexpr const char* board_top = "board";
 
-/// Throws UserError if the board's PLL cannot make this clock, in kHz, from 25 MHz: rc_ulx3s.v has 75 and
-/// 62.5 MHz.
+/// Throws UserError if rc_ulx3s.v has no settings of the PLL for this clock, in kHz. It has settings for 75
+/// and 62.5 MHz.
 void check_pll(int khz);
 
 /// Returns the content of rtl/ecp5/rc_ulx3s.v. Throws UserError if it cannot be read.
 std::string board_verilog();
 
-/// Returns the pins and the frequency of the board's oscillator, rtl/ecp5/ulx3s.lpf. Throws UserError if it
+/// Returns the pin assignments and the oscillator's frequency, rtl/ecp5/ulx3s.lpf. Throws UserError if it
 /// cannot be read.
 std::string board_pins();
 
-/// Returns the parameters of the top for Yosys' command `hierarchy`. The bitstream contains the hash of the
-/// configuration, which the host compares (sim/board/identity.hpp).
+/// Returns the parameters of the top for Yosys' command `hierarchy`: the clock, the SDRAM of the
+/// configuration, and the hash. The bitstream contains the hash of the configuration, which the host compares
+/// (sim/board/identity.hpp).
 std::string board_parameters(const Config& config, int khz);
 
 /// Makes a bitstream of a textual configuration written by nextpnr. Both names are relative to the folder.
 /// Throws UserError if ecppack is missing or fails, and Interrupted after Ctrl-C.
 void pack_bitstream(const std::filesystem::path& folder, const char* textual, const char* bitstream);
 
-/// Returns the version of ecppack for keys of results. Throws UserError if it is not installed.
+/// Returns the version of ecppack for cache keys. Throws UserError if it is not installed.
 const std::string& packer_version();
 
 }   // namespace rayclock::chip

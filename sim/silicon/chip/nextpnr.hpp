@@ -64,8 +64,8 @@ constexpr const char* textual_file = "board.config";
 
 /// Places and routes netlist.json of the folder. Writes report.json, placed.json, delays.sdf and the log
 /// there. With has_pins it reads pins_file and writes textual_file. Skips a placement whose sites are kept.
-/// Calls `tell` with the current step and its percentage. Throws UserError with the tool's message if it
-/// fails.
+/// Calls `on_progress` with the current step and its percentage. Throws UserError with the tool's message if
+/// it fails.
 RouteEnd run_nextpnr(const std::filesystem::path& folder, const Device& device, const Methods& methods,
                      int seed, bool has_pins, const KeptSites& kept,
                      const std::function<void(const std::string& what, int percent)>& on_progress);

@@ -69,10 +69,10 @@ std::string path_table(const Route& route) {
 }
 
 std::string clock_table(const Route& route) {
-    Table table({"clock", "asked, MHz", "routed, MHz", ""});
+    Table table({"clock", "target, MHz", "routed, MHz", ""});
     for (const Clock& c : route.clocks)
-        table.add({c.name, fmt::format("{:.1f}", c.asked), fmt::format("{:.1f}", c.achieved),
-                   c.is_kept() ? "kept" : "MISSED"});
+        table.add({c.name, fmt::format("{:.1f}", c.target), fmt::format("{:.1f}", c.achieved),
+                   c.is_met() ? "met" : "MISSED"});
     return table.text();
 }
 
@@ -123,7 +123,7 @@ std::string text(const Result& r) {
         text += fmt::format(", placer {}, {}", methods.placer, methods.router);
     if (methods.placements > 1) text += fmt::format(", placed {} times", methods.placements);
     if (!best.clocks.empty()) text += "\n\n" + clock_table(best);
-    return text + "\n\n" + path_table(best);
+    return text + (best.clocks.empty() ? "\n\n" : "\n") + path_table(best);
 }
 
 ordered_json json(const Result& r) {
@@ -146,7 +146,7 @@ ordered_json json(const Result& r) {
         ordered_json clocks = ordered_json::array();
         if (!r.routes.empty())
             for (const Clock& c : r.best().clocks)
-                clocks.push_back({{"name", c.name}, {"asked_mhz", c.asked}, {"fmax_mhz", c.achieved}});
+                clocks.push_back({{"name", c.name}, {"target_mhz", c.target}, {"fmax_mhz", c.achieved}});
         json["clocks"] = clocks;
         json["bitstream_bytes"] = r.bitstream.size();
     }

@@ -79,7 +79,7 @@ std::vector<Clock> clocks_of(const std::string& report) {
 
 namespace {
 
-/// Returns the clock of the chip: the only one, or that of the board's net "clk".
+/// Returns the chip's clock. A unit or chip alone has only one; on a board it is the net "clk".
 const Clock& chip_clock(const std::vector<Clock>& clocks, const std::string& top) {
     for (const Clock& clock : clocks)
         if (clocks.size() == 1 || (top == board_top && clock.name == "clk")) return clock;
@@ -89,8 +89,8 @@ const Clock& chip_clock(const std::vector<Clock>& clocks, const std::string& top
 
 }   // namespace
 
-bool Route::keeps_clocks() const {
-    return std::all_of(clocks.begin(), clocks.end(), std::mem_fn(&Clock::is_kept));
+bool Route::meets_clocks() const {
+    return std::all_of(clocks.begin(), clocks.end(), std::mem_fn(&Clock::is_met));
 }
 
 Use total_of(const std::map<std::string, Use>& units) {
@@ -145,7 +145,7 @@ ordered_json route_json(const Route& route) {
         tiles += fmt::format("{} {} {} {} {} {} {}\n", t.x, t.y, t.unit, t.use.lut, t.use.ff, t.use.dsp,
                              t.use.bram);
     ordered_json clocks = ordered_json::array();
-    for (const Clock& c : route.clocks) clocks.push_back({c.name, c.achieved, c.asked});
+    for (const Clock& c : route.clocks) clocks.push_back({c.name, c.achieved, c.target});
     return {{"seed", route.seed}, {"fmax_mhz", route.fmax_mhz},
             {"clocks", clocks},   {"units", units},
             {"paths", paths},     {"tiles", tiles}};

@@ -30,8 +30,8 @@ struct Tile {
 /// A clock after routing, in MHz.
 struct Clock {
     std::string name;   ///< net in the top module: "shift_clk"
-    double achieved = 0, asked = 0;
-    bool is_kept() const { return achieved >= asked; }
+    double achieved = 0, target = 0;
+    bool is_met() const { return achieved >= target; }
 };
 
 /// The routed netlist of one seed.
@@ -39,7 +39,7 @@ struct Route {
     int seed = 0;
     double fmax_mhz = 0;                ///< of the chip's clock
     std::vector<Clock> clocks;          ///< of a board: all of them
-    bool keeps_clocks() const;          ///< true if no clock of a board is slower than asked
+    bool meets_clocks() const;          ///< true if every clock of a board reaches its target
     std::vector<PathRow> paths;         ///< the slowest first
     std::map<std::string, Use> units;   ///< after placement, including the harness
     std::vector<Tile> tiles;

@@ -82,7 +82,7 @@ public:
             result.misfit = fmt::format(
                 "'{}' cannot be routed on {}: {}; another seed, another placer or more placements may help",
                 printable(request_.config.name), request_.device.name, stuck_);
-        if (request_.is_board() && result.fits() && result.best().keeps_clocks())
+        if (request_.is_board() && result.fits() && result.best().meets_clocks())
             result.bitstream = read_file(bitstream(result.best().seed));
         return result;
     }
@@ -327,7 +327,7 @@ std::string misfit(const std::string& name, const Device& device, const std::map
 
 const Route& Result::best() const {
     return *std::max_element(routes.begin(), routes.end(), [](const Route& a, const Route& b) {
-        return std::pair(a.keeps_clocks(), a.fmax_mhz) < std::pair(b.keeps_clocks(), b.fmax_mhz);
+        return std::pair(a.meets_clocks(), a.fmax_mhz) < std::pair(b.meets_clocks(), b.fmax_mhz);
     });
 }
 

@@ -22,7 +22,7 @@ struct Request {
     Device device;
     std::vector<int> seeds;
     Methods methods{};
-    int khz = 0;   ///< the chip's clock on the board, which its PLL makes
+    int khz = 0;   ///< the chip's clock on the board; 0 without a board
 
     bool is_board() const { return top == board_top; }
 };
@@ -37,8 +37,8 @@ struct Result {
     bool was_kept = false;   ///< all results came from the cache
 
     bool fits() const { return misfit.empty(); }
-    const Route& best() const;   ///< the fastest route; of a board, one that keeps all clocks first
-    std::string bitstream{};     ///< of the board's best route, if it keeps all its clocks
+    const Route& best() const;   ///< the fastest; of a board, first those that meet all clocks
+    std::string bitstream{};     ///< content of board.bit; empty if the best route misses a clock
 };
 
 /// Returns a sentence if the units need more than the device has: by how much, and which units are largest.
