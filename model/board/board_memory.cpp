@@ -38,7 +38,7 @@ void BoardMemory::start(std::uint32_t width, std::uint32_t height) {
 void BoardMemory::clock(const Line* request, const Place* pixel) {
     const Sdram& sdram = clients_.sdram();
     const Outcome outcome = sdram.write_beat().valid || sdram.read_beat().valid ? Outcome::busy
-                            : !sdram.holds()                                    ? Outcome::starved
+                            : !clients_.holds()                                 ? Outcome::starved
                             : sdram.refreshing()                                ? Outcome::refresh
                                                                                 : Outcome::latency;
     ++outcomes_[std::size_t(outcome)];
@@ -51,7 +51,7 @@ void BoardMemory::step(const Line* request, const Place* pixel, bool flush) {
         addresses_[request->id] = request->addr;
         ++reads_;
     }
-    const MemoryClients::Ready ready = clients_.ready(offers_);
+    const MemoryClients::Ready ready = clients_.ready();
     scanned_ += offers_.scan.valid && ready.scan;
     written_ += offers_.pixels.valid && ready.pixels;
 
@@ -75,12 +75,11 @@ void BoardMemory::skip_quiet() {
     colour_.skip(cycles);
 }
 
-/// Determines what scan-out and pixel writer offer in the next cycle, and whether the chip may request.
+/// Determines what scan-out and pixel writer offer in the next cycle.
 void BoardMemory::offer() {
     offers_ = {};
     offers_.scan = {scan_.requests(), scan_.address(), scan_.is_urgent()};
     offers_.pixels = {writer_.requests(), writer_.address()};
-    ready_ = clients_.ready(offers_).chip;
 }
 
 }   // namespace rayclock

@@ -53,7 +53,7 @@ public:
         std::uint32_t id = 0, addr = 0;
     };
     /// True if a request of the chip would be accepted.
-    bool ready() const { return ready_; }
+    bool ready() const { return clients_.ready().chip; }
     /// The answer to the chip, which is valid for one cycle.
     bool answers() const { return clients_.answers(); }
     Line answer() const { return {clients_.answer_id(), addresses_[clients_.answer_id()]}; }
@@ -86,8 +86,7 @@ private:
     PixelColour colour_;
     ShownPicture shown_;
     std::uint32_t drawn_base_ = 0;
-    ClientOffers offers_;   // of scan-out and pixel writer in this cycle
-    bool ready_ = false;
+    ClientOffers offers_;                    // of scan-out and pixel writer in this cycle
     std::vector<std::uint32_t> addresses_;   // [id] of requests in flight
     std::array<std::uint64_t, 4> outcomes_{};
     std::uint64_t reads_ = 0, scanned_ = 0, written_ = 0;

@@ -30,17 +30,20 @@ struct ClientOffers {
 /// Grants one client per cycle, and sends the controller's beats back to the clients. Mirror of
 /// rtl/board/rc_board_memory.sv, which states the priorities. It has no data: an answer to the chip is an id,
 /// a beat is a flag.
+///
+/// A request of the chip is held here until it is granted. The other clients hold their own requests: they
+/// offer the same request up to the cycle in which it is accepted, the one after the grant.
 class MemoryClients {
 public:
     /// id_bits: width of the chip's ids.
     MemoryClients(const SdramClocks& clocks, int id_bits);
 
-    /// Returns the clients whose request would be accepted in this cycle: at most one with an offer.
+    /// Returns the clients whose request is accepted in this cycle, if they have one.
     struct Ready {
         bool chip = false, scan = false, pixels = false, host = false;
         friend bool operator==(const Ready&, const Ready&) = default;
     };
-    Ready ready(const ClientOffers& offers) const;
+    const Ready& ready() const { return ready_; }
 
     /// As Sdram::align(). It also gives the chip the next turn.
     void align() { sdram_.align(), aligns_ = true; }
@@ -58,10 +61,12 @@ public:
     void clock(const ClientOffers& offers);
 
     /// As in Sdram: cycles in which nothing changes without an offer.
-    std::uint64_t quiet_cycles() const { return answers_ ? 0 : sdram_.quiet_cycles(); }
+    std::uint64_t quiet_cycles() const { return answers_ || chip_.valid ? 0 : sdram_.quiet_cycles(); }
     void skip(std::uint64_t cycles);
 
     const Sdram& sdram() const { return sdram_; }
+    /// True if a request of the chip is held, or the controller holds a request.
+    bool holds() const { return chip_.valid || sdram_.holds(); }
 
 private:
     enum Client : std::uint32_t { of_chip, of_scan, of_pixels, of_host };
@@ -75,6 +80,8 @@ private:
 
     Sdram sdram_;
     int id_bits_;
+    ClientOffers::Chip chip_;   // held
+    Ready ready_{.chip = true};
     bool pixels_turn_ = false, aligns_ = false;
     int overtaken_ = 0;
     bool answers_ = false;

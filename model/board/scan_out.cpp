@@ -38,6 +38,7 @@ void ScanOut::clock(const Inputs& in) {
     s1_ = under_beam();
 
     // Requests. A row is opened a cycle after the beam has left it.
+    urgent_ = req_valid_ && !in.req_ready && to_request_ >= to_fall_;
     opens_ = row_ends() && opened_ < shown_.blocks_down();
     const std::uint32_t pace_limit = ScreenTiming::total_width * (4U << shown_.doubled),
                         pace_sum = pace_ + shown_.blocks_across();

@@ -75,7 +75,7 @@ public:
     }
     bool requests() const { return req_valid_; }
     std::uint32_t address() const { return address_; }   ///< a line's number; valid with requests()
-    bool is_urgent() const { return req_valid_ && to_request_ >= to_fall_; }
+    bool is_urgent() const { return urgent_; }           ///< the offered line fell due in an earlier cycle
     /// Pixels that had not arrived when they were shown, at most 65535.
     std::uint32_t underruns() const { return underruns_; }
     void clock(const Inputs& in);
@@ -112,7 +112,7 @@ private:
     std::uint32_t opened_ = 0;                             ///< rows of blocks that may have been requested
     /// Blocks of opened rows that are not yet offered, and those that are not yet due.
     std::uint32_t to_request_ = 0, to_fall_ = 0, pace_ = 0;
-    bool req_valid_ = false;
+    bool req_valid_ = false, urgent_ = false;
     std::uint32_t address_ = 0, next_address_ = 0, pending_ = 0, drop_ = 0;
     std::uint32_t beat_ = 0, arrived_ = 0, arrived_row_ = 0;
     Fetch s1_, s2_;

@@ -97,7 +97,8 @@ module rc_board #(
   logic                           colour_empty, writer_empty, chip_rst_n_q;
 
   // While the host holds the chip in reset, frame control and the conversion are reset too. The
-  // pixel writer writes its partial blocks.
+  // pixel writer writes its partial blocks. At power-on they are in reset before the first edge.
+  initial chip_rst_n_q = 1'b0;
   always_ff @(posedge clk_i) chip_rst_n_q <= rst_ni && !chip_reset;
 
   rc_frame_control u_frame (

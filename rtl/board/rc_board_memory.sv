@@ -5,10 +5,14 @@
 //   host:   reads and writes of the host link
 //
 // Priority: scan if it is urgent; then chip and pixels in turn; then scan; then host. After
-// HostCap accepted requests of other clients, a waiting request of host goes first. No cycle is
-// reserved: a client without competitors is served whenever the controller is free. A client's
-// ready does not depend on its own valid. A request passes to rc_sdram in the cycle in which it is
-// accepted.
+// HostCap granted requests of other clients, a waiting request of host goes first. No cycle is
+// reserved: a client without competitors is served whenever the controller is free. A request
+// passes to rc_sdram in the cycle in which it is granted.
+//
+// No combinational path leads through the arbiter, because its clients lie far apart in the
+// device. A request of chip first enters a register here, and chip's ready is high while this
+// register is free. The other clients hold their request in a register of their own. Their ready
+// is high for one cycle, the one after the grant.
 //
 // The answer to chip is valid for one cycle, the one after the line's last beat. A client of
 // writes presents the data of its oldest request and shifts them with `next`. The module
@@ -92,53 +96,73 @@ module rc_board_memory #(
   localparam logic [1:0] OfPix  = 2'd2;
   localparam logic [1:0] OfHost = 2'd3;
 
-  // ---- Arbiter.
-  logic             free, host_first, scan_first, any_fires;
-  logic             chip_fires, scan_fires, pix_fires, host_fires;
+  // ---- The request of chip.
+  logic             chip_held_q, chip_fires;
+  logic [IdW-1:0]   chip_id_q;
+  logic [AddrW-1:0] chip_addr_q;
+
+  assign mem_req_ready_o = !chip_held_q;
+
+  always_ff @(posedge clk_i) begin
+    chip_held_q <= rst_ni && (chip_held_q ? !chip_fires : mem_req_valid_i);
+    if (!chip_held_q) {chip_id_q, chip_addr_q} <= mem_req_i;
+  end
+
+  // ---- Arbiter. A client that was granted in the last cycle still offers the same request.
+  logic             free, scan_offers, pix_offers, host_offers, any_offers;
+  logic             host_is_due, host_first, scan_first;
+  logic             chip_grant, scan_grant, pix_grant, host_grant;   // at most one
+  logic             scan_fires, pix_fires, host_fires;
+  logic             scan_ready_q, pix_ready_q, host_ready_q;
   logic             pix_turn_q;      // of chip and pixels, pixels has the turn
-  logic [3:0]       overtaken_q;     // requests accepted while host waits
-  logic             host_is_due;
+  logic [3:0]       overtaken_q;     // requests granted while host waits
   logic             req_write;
   logic [1:0]       req_client;
   logic [LineW-1:0] req_addr;
-  logic [IdW-1:0]   chip_id;
-  logic [AddrW-1:0] chip_addr;
 
-  assign {chip_id, chip_addr} = mem_req_i;
+  assign scan_offers = scan_req_valid_i && !scan_ready_q;
+  assign pix_offers  = pix_req_valid_i && !pix_ready_q;
+  assign host_offers = host_req_valid_i && !host_ready_q;
+  assign any_offers  = chip_held_q || scan_offers || pix_offers || host_offers;
 
   assign host_is_due = overtaken_q == 4'(HostCap);
-  assign host_first  = host_req_valid_i && host_is_due;
-  assign scan_first  = scan_req_valid_i && scan_urgent_i;
+  assign host_first  = host_offers && host_is_due;
+  assign scan_first  = scan_offers && scan_urgent_i;
 
-  assign mem_req_ready_o  = free && !host_first && !scan_first && !(pix_req_valid_i && pix_turn_q);
-  assign pix_req_ready_o  = free && !host_first && !scan_first && !(mem_req_valid_i && !pix_turn_q);
-  assign scan_req_ready_o = free && !host_first
-                         && (scan_urgent_i || (!mem_req_valid_i && !pix_req_valid_i));
-  assign host_req_ready_o = free && (host_is_due || (!mem_req_valid_i && !pix_req_valid_i
-                                                     && !scan_req_valid_i));
+  assign chip_grant = chip_held_q && !host_first && !scan_first && !(pix_offers && pix_turn_q);
+  assign pix_grant  = pix_offers && !host_first && !scan_first && !(chip_held_q && !pix_turn_q);
+  assign scan_grant = scan_offers && !host_first
+                   && (scan_urgent_i || (!chip_held_q && !pix_offers));
+  assign host_grant = host_offers && (host_is_due || (!chip_held_q && !pix_offers && !scan_offers));
 
-  assign chip_fires = mem_req_valid_i && mem_req_ready_o;
-  assign scan_fires = scan_req_valid_i && scan_req_ready_o;
-  assign pix_fires  = pix_req_valid_i && pix_req_ready_o;
-  assign host_fires = host_req_valid_i && host_req_ready_o;
-  assign any_fires  = mem_req_valid_i || scan_req_valid_i || pix_req_valid_i || host_req_valid_i;
+  assign chip_fires = free && chip_grant;
+  assign scan_fires = free && scan_grant;
+  assign pix_fires  = free && pix_grant;
+  assign host_fires = free && host_grant;
 
-  assign req_client = chip_fires ? OfChip : scan_fires ? OfScan : pix_fires ? OfPix : OfHost;
-  assign req_write  = pix_fires || (!chip_fires && !scan_fires && host_req_write_i);
-  assign req_addr   = chip_fires ? LineW'(chip_addr) : scan_fires ? scan_req_addr_i
-                    : pix_fires ? pix_req_addr_i : host_req_addr_i;
+  assign req_client = chip_grant ? OfChip : scan_grant ? OfScan : pix_grant ? OfPix : OfHost;
+  assign req_write  = pix_grant || (host_grant && host_req_write_i);
+  assign req_addr   = chip_grant ? LineW'(chip_addr_q) : scan_grant ? scan_req_addr_i
+                    : pix_grant ? pix_req_addr_i : host_req_addr_i;
 
   always_ff @(posedge clk_i) begin
+    scan_ready_q <= rst_ni && scan_fires;
+    pix_ready_q  <= rst_ni && pix_fires;
+    host_ready_q <= rst_ni && host_fires;
     if (!rst_ni) begin
       pix_turn_q  <= 1'b0;
       overtaken_q <= '0;
     end else begin
       if (align_i)                      pix_turn_q <= 1'b0;
       else if (chip_fires || pix_fires) pix_turn_q <= chip_fires;
-      if (!host_req_valid_i || host_fires) overtaken_q <= '0;
-      else if (free && any_fires)          overtaken_q <= overtaken_q + 4'd1;
+      if (!host_offers || host_fires) overtaken_q <= '0;
+      else if (free && any_offers)    overtaken_q <= overtaken_q + 4'd1;
     end
   end
+
+  assign scan_req_ready_o = scan_ready_q;
+  assign pix_req_ready_o  = pix_ready_q;
+  assign host_req_ready_o = host_ready_q;
 
   // ---- Controller.
   logic            wr_next, rd_valid, rd_last;
@@ -153,8 +177,8 @@ module rc_board_memory #(
     .InitRefreshes(InitRefreshes), .ReadDelay(ReadDelay), .TagW(TagW)
   ) u_sdram (
     .clk_i, .rst_ni, .init_done_o, .align_i,
-    .req_valid_i(any_fires), .req_ready_o(free), .req_write_i(req_write), .req_addr_i(req_addr),
-    .req_tag_i({req_client, chip_id}),
+    .req_valid_i(any_offers), .req_ready_o(free), .req_write_i(req_write), .req_addr_i(req_addr),
+    .req_tag_i({req_client, chip_id_q}),
     .wr_next_o(wr_next), .wr_tag_o(wr_tag), .wr_data_i(wr_data), .wr_mask_i(wr_mask),
     .rd_valid_o(rd_valid), .rd_last_o(rd_last), .rd_tag_o(rd_tag), .rd_data_o(rd_data),
     .sd_cke_o, .sd_cs_no, .sd_ras_no, .sd_cas_no, .sd_we_no, .sd_ba_o, .sd_a_o, .sd_dqm_o,
@@ -191,6 +215,6 @@ module rc_board_memory #(
   assign mem_rsp_o       = {rsp_id_q, line_q};
 
   logic unused;
-  assign unused = ^{wr_tag, chip_addr};
+  assign unused = ^{wr_tag, chip_addr_q};
 endmodule
 `default_nettype wire

@@ -4,8 +4,10 @@
 //
 // The module executes a packet after checking its checksum, and before it reads the next one:
 // - A packet with a wrong checksum is dropped without an answer. So is a partial packet when no
-//   byte comes for QuietCycles cycles. bad_o is high for one cycle each time.
-// - A write of no line or of more than sixteen lines is dropped after its head, without an answer.
+//   byte comes for QuietCycles cycles.
+// - A write of no line or of more than sixteen lines is dropped after its head, without an answer:
+//   its payload may not fit the buffer.
+// - bad_o is high for one cycle each time that a packet is dropped.
 // - A packet with the expected sequence number is executed, once. Its result is kept.
 // - A packet with one of the sixteen numbers before it was executed earlier. Its kept result is
 //   sent again. Lines of memory are read again, which changes nothing.
@@ -59,7 +61,7 @@ module rc_link #(
   input  logic                            host_rd_valid_i,
   input  logic [15:0]                     host_rd_data_i,
   // Statistics
-  output logic                            bad_o              // a checksum was wrong, or silence
+  output logic                            bad_o              // a packet was dropped
 );
   if (LineBits < 1 || LineBits > 31) begin : gen_refuse
     $error("rc_link: LineBits must be 1 to 31");
@@ -239,7 +241,7 @@ module rc_link #(
                    && (kind == CheckLines || count <= 16'(LinesMost));
   end
 
-  logic        executes, reads_again;
+  logic        executes, reads_again, bad_count;
   logic [2:0]  judged_result;
   logic [31:0] judged_value;
 
@@ -280,8 +282,7 @@ module rc_link #(
         StHead:  if (takes && last) state_q <= StLength;
         StLength: begin
           state_q <= kind == WriteRegister || is_write ? StPayload : StCrc;
-          // The payload of a write with a wrong count may not fit the buffer.
-          if (is_write && (count == '0 || count > 16'(LinesMost))) state_q <= StMark0;
+          if (bad_count) state_q <= StMark0;
         end
         StPayload: if (takes && last) state_q <= StCrc;
         StCrc:     if (takes && last) state_q <= StVerify;
@@ -319,7 +320,9 @@ module rc_link #(
     end
   end
 
-  assign bad_o = is_quiet || (state_q == StVerify && !crc_sound);
+  assign bad_count = is_write && (count == '0 || count > 16'(LinesMost));
+  assign bad_o     = is_quiet || (state_q == StVerify && !crc_sound)
+                  || (state_q == StLength && bad_count);
 
   // Expected sequence number: the next one, when the packet has a result.
   always_ff @(posedge clk_i) begin

@@ -12,8 +12,9 @@
 // the beam leaves its last pixel.
 //
 // Blocks fall due at an even pace: all blocks of a row within the time in which a row is shown.
-// urgent_o is high while the offered block is due. Underruns are impossible if the memory keeps
-// this pace while urgent_o is high (conditions: worst_line_cycles() in model/board/scan_out.hpp).
+// urgent_o is high from the cycle after the offered block falls due until the block is accepted.
+// Underruns are impossible if the memory keeps this pace while urgent_o is high (conditions:
+// worst_line_cycles() in model/board/scan_out.hpp).
 //
 // base_i, width_i, height_i and double_i are taken over at the start of the vertical blank
 // (takes_o). Lines of the last picture that still arrive are discarded. A picture that does not
@@ -44,7 +45,7 @@ module rc_scan_out #(
   output logic             req_valid_o,
   input  logic             req_ready_i,
   output logic [LineW-1:0] req_addr_o,
-  output logic             urgent_o,        // the offered line is due, until it is accepted
+  output logic             urgent_o,        // the offered line is due
   input  logic             rd_valid_i,
   input  logic [15:0]      rd_data_i,
   // To the screen
@@ -150,7 +151,7 @@ module rc_scan_out #(
   logic [CountW-1:0]   to_request_q, to_fall_q, added;
   logic [12:0]         pace_q, pace_sum, pace_limit;
   logic                falls, issues, line_done;
-  logic                req_valid_q;
+  logic                req_valid_q, urgent_q;
   logic [LineW-1:0]    addr_q, next_addr_q;
   logic [PendingW-1:0] pending_q, drop_q;
 
@@ -196,6 +197,8 @@ module rc_scan_out #(
     if (takes)                        pace_q <= '0;
     else if (tick_q && to_fall_q != '0) pace_q <= falls ? pace_sum - pace_limit : pace_sum;
 
+    urgent_q <= rst_ni && req_valid_q && !req_ready_i && to_request_q >= to_fall_q;
+
     if (issues) addr_q <= next_addr_q;
     if (start_q)     next_addr_q <= base_q;
     else if (issues) next_addr_q <= next_addr_q + 1'b1;
@@ -203,7 +206,7 @@ module rc_scan_out #(
 
   assign req_valid_o = req_valid_q;
   assign req_addr_o  = addr_q;
-  assign urgent_o    = req_valid_q && to_request_q >= to_fall_q;
+  assign urgent_o    = urgent_q;
 
   // ---- Arrival: two beats make a pixel. All blocks before block arrived_q of row arrived_row_q
   // are in the row buffers.

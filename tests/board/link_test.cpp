@@ -213,6 +213,31 @@ TEST_CASE("a damaged packet has no effect and no answer, wherever the damage is"
     CHECK(board.writes == std::vector<LinkBoard::Write>{{3, 5}});
 }
 
+TEST_CASE("a write of no line, or of more lines than fit, is dropped after its head and counted", "[link]") {
+    ByteBoard board(10);
+    answer_to(board, {LinkKind::hello, 0, 1});
+    std::uint64_t dropped = 0;
+    for (const unsigned count : {0u, 17u, 32u, 0xffffu}) {
+        INFO(count << " lines");
+        const std::vector<std::uint8_t> head{link_mark[0],
+                                             link_mark[1],
+                                             std::uint8_t(LinkKind::write_lines),
+                                             1,
+                                             0,
+                                             0,
+                                             0,
+                                             0,
+                                             std::uint8_t(count),
+                                             std::uint8_t(count >> 8)};
+        REQUIRE(answers_to(board, head, 500).empty());
+        CHECK(board.bad == ++dropped);
+        CHECK(answer_to(board, {LinkKind::read_register, std::uint8_t(dropped), 0}).reason ==
+              LinkReason::done);
+    }
+    CHECK(board.bad == dropped);
+    CHECK(std::ranges::all_of(board.memory, [](const MemoryLine& line) { return line == MemoryLine{}; }));
+}
+
 TEST_CASE("after any garbage the board answers within one packet, or after a silence", "[link]") {
     ByteBoard board(7);
     answer_to(board, {LinkKind::hello, 255, 1});

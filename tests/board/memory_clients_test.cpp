@@ -42,14 +42,13 @@ public:
         align_ = aligns;
         if (aligns) model.align();
         rtl_.settle();
-        const MemoryClients::Ready ready = model.ready(offers);
+        const MemoryClients::Ready ready = model.ready();
         const RcPort& request = rtl_.port("mem_req");
         same(cycle, "mem_req_ready", *request.ready, ready.chip);
         same(cycle, "scan_req_ready", scan_ready_, ready.scan);
         same(cycle, "pix_req_ready", pix_ready_, ready.pixels);
         same(cycle, "host_req_ready", host_ready_, ready.host);
         same(cycle, "init_done", init_done_, model.init_done());
-        check_grant(ready);
         take_beats();
         check_answers();
 
@@ -60,9 +59,13 @@ public:
         pins_.set_dq(dq ? *dq : std::uint16_t(draw.bits(16)));
         if (!chip.violations().empty()) FAIL(chip.violations().front().text);
         rtl_.clock();
-        model.clock(offers);
-        ++cycle;
+        const Waiting waiting{!ready.chip, offers.scan.valid && !ready.scan,
+                              offers.pixels.valid && !ready.pixels, offers.host.valid && !ready.host};
+        const bool free = model.sdram().ready();
         accept(ready);
+        model.clock(offers_of_cycle_);
+        ++cycle;
+        check_grant(waiting, free);
     }
     void drain() {
         for (int i = 0; i < 400; ++i) step({});
@@ -82,10 +85,10 @@ public:
     Draw draw;
     ClientOffers offers;
     std::uint64_t cycle = 0;
-    std::uint64_t chips = 0, scans = 0, pixels = 0, hosts = 0;   ///< accepted
+    std::uint64_t chips = 0, scans = 0, pixels = 0, hosts = 0;   ///< granted
     std::uint64_t longest_scan = 0;     ///< cycles from an offer of scan to its last beat
-    std::uint64_t most_overtaken = 0;   ///< requests accepted while one of the host waits
-    std::vector<char> order;            ///< of accepted requests: c, s, p, h
+    std::uint64_t most_overtaken = 0;   ///< requests granted while one of the host waits
+    std::vector<char> order;            ///< of granted requests: c, s, p, h
 
 private:
     struct ChipRead {
@@ -100,6 +103,11 @@ private:
     struct Write {
         WriteLine line;
         std::size_t at = 0;
+    };
+    /// Clients with a request that has not been granted.
+    struct Waiting {
+        bool chip = false, scan = false, pixels = false, host = false;
+        int count() const { return chip + scan + pixels + host; }
     };
 
     void choose(const Load& load) {
@@ -137,53 +145,57 @@ private:
         host_is_write_ = offers.host.is_write;
         host_addr_ = offers.host.addr;
     }
-    /// At most one client is accepted, and one is whenever the controller is free and there is an offer.
-    void check_grant(const MemoryClients::Ready& r) {
-        const int offered = offers.chip.valid + offers.scan.valid + offers.pixels.valid + offers.host.valid,
-                  taken = (offers.chip.valid && r.chip) + (offers.scan.valid && r.scan) +
-                          (offers.pixels.valid && r.pixels) + (offers.host.valid && r.host);
-        same(cycle, "grants", std::uint64_t(taken), offered > 0 && model.sdram().ready());
-    }
+    /// The clients whose request was accepted withdraw it. The chip's request then waits in the memory.
     void accept(const MemoryClients::Ready& r) {
-        const bool host_waits = offers.host.valid, others = offers.chip.valid || offers.pixels.valid;
-        const std::size_t before = order.size();
-        // The priorities, stated apart from the model.
-        if (offers.host.valid && r.host && overtaken_ < 15)
-            same(cycle, "others", others || offers.scan.valid, 0);
-        if (offers.scan.valid && r.scan && !offers.scan.urgent) same(cycle, "others than scan", others, 0);
-        if ((offers.chip.valid && r.chip) || (offers.pixels.valid && r.pixels))
-            same(cycle, "an urgent scan", offers.scan.valid && offers.scan.urgent, 0);
-        accept_offer(r);
-        if (!host_waits || !offers.host.valid)
+        offers_of_cycle_ = offers;
+        if (r.chip && offers.chip.valid) {
+            held_ = offers.chip;
+            offers.chip.valid = false;
+        }
+        if (r.scan) offers.scan.valid = false;
+        if (r.pixels) offers.pixels.valid = false;
+        if (r.host) offers.host.valid = false;
+    }
+    /// One client is granted if the controller is free and a client waits, else none. The priorities are
+    /// stated here apart from the model.
+    void check_grant(const Waiting& waiting, bool free) {
+        const MemoryClients::Ready& r = model.ready();
+        const Waiting granted{waiting.chip && r.chip, r.scan, r.pixels, r.host};
+        same(cycle, "grants", std::uint64_t(granted.count()), free && waiting.count() > 0);
+        const bool others = waiting.chip || waiting.pixels, urgent = offers_of_cycle_.scan.urgent;
+        if (granted.host && overtaken_ < 15) same(cycle, "others", others || waiting.scan, 0);
+        if (granted.scan && !urgent) same(cycle, "others than scan", others, 0);
+        if (granted.chip || granted.pixels) same(cycle, "an urgent scan", waiting.scan && urgent, 0);
+        if (!granted.host && granted.count() > 0)
+            same(cycle, "a host that is due", waiting.host && overtaken_ >= 15, 0);
+        begin(granted);
+        if (!waiting.host || granted.host)
             overtaken_ = 0;
         else
-            most_overtaken = std::max(most_overtaken, overtaken_ += order.size() - before);
+            most_overtaken = std::max(most_overtaken, overtaken_ += std::uint64_t(granted.count()));
     }
-    void accept_offer(const MemoryClients::Ready& r) {
-        if (offers.chip.valid && r.chip) {
-            chip_reads_.push_back({offers.chip.id, expected.line(offers.chip.addr)});
-            offers.chip.valid = false;
+    /// The granted request passes to the controller, which serves requests in order.
+    void begin(const Waiting& granted) {
+        if (granted.chip) {
+            chip_reads_.push_back({held_.id, expected.line(held_.addr)});
             ++chips;
             order.push_back('c');
-        } else if (offers.scan.valid && r.scan) {
-            scan_reads_.push_back({expected.line(offers.scan.addr), 0, scan_offered_});
-            offers.scan.valid = false;
+        } else if (granted.scan) {
+            scan_reads_.push_back({expected.line(offers_of_cycle_.scan.addr), 0, scan_offered_});
             ++scans;
             order.push_back('s');
-        } else if (offers.pixels.valid && r.pixels) {
+        } else if (granted.pixels) {
             pixel_write_ = Write{next_pixels_};
-            next_pixels_.apply(expected.line(offers.pixels.addr));
-            offers.pixels.valid = false;
+            next_pixels_.apply(expected.line(offers_of_cycle_.pixels.addr));
             ++pixels;
             order.push_back('p');
-        } else if (offers.host.valid && r.host) {
-            if (offers.host.is_write) {
+        } else if (granted.host) {
+            if (offers_of_cycle_.host.is_write) {
                 host_write_ = Write{next_host_};
-                next_host_.apply(expected.line(offers.host.addr));
+                next_host_.apply(expected.line(offers_of_cycle_.host.addr));
             } else {
-                host_reads_.push_back({expected.line(offers.host.addr)});
+                host_reads_.push_back({expected.line(offers_of_cycle_.host.addr)});
             }
-            offers.host.valid = false;
             ++hosts;
             order.push_back('h');
         }
@@ -248,6 +260,8 @@ private:
         pix_ready_{rtl_, "pix_req_ready"}, pix_next_{rtl_, "pix_next"}, host_ready_{rtl_, "host_req_ready"},
         host_next_{rtl_, "host_next"}, host_rd_valid_{rtl_, "host_rd_valid"},
         host_rd_data_{rtl_, "host_rd_data"};
+    ClientOffers offers_of_cycle_;
+    ClientOffers::Chip held_;   ///< the chip's request that was accepted last
     std::uint32_t last_ = 0;
     std::uint64_t scan_offered_ = 0;
     std::uint64_t overtaken_ = 0;
@@ -311,7 +325,7 @@ TEST_CASE("under full load chip and pixels take turns, and the host is served af
         REQUIRE(longest_without(rig.order, 's') <= 1);
     }
     SECTION("another scan waits for chip and pixels, but goes before the host") {
-        for (int i = 0; i < 40'000; ++i) rig.step({2, 100, 2, 100, 0});
+        for (int i = 0; i < 40'000; ++i) rig.step({1, 100, 2, 100, 0});
         REQUIRE(rig.most_overtaken == 15);
         REQUIRE(rig.scans > 250);
         REQUIRE(rig.chips > 250);
@@ -347,7 +361,7 @@ TEST_CASE("skipped quiet cycles of the board's memory change nothing", "[memory]
     MemoryClients stepped(clocks, 4), skipped(clocks, 4);
     Draw draw(9);
     const auto both = [&](const ClientOffers& offers) {
-        REQUIRE(stepped.ready(offers) == skipped.ready(offers));
+        REQUIRE(stepped.ready() == skipped.ready());
         REQUIRE(stepped.answers() == skipped.answers());
         REQUIRE(stepped.pixels_next() == skipped.pixels_next());
         REQUIRE(stepped.scan_beat() == skipped.scan_beat());

@@ -55,8 +55,14 @@ mutant(memory_pixels_have_no_turn FILE rtl/board/rc_board_memory.sv TEST board [
   OLD [[pix_turn_q <= chip_fires;]]
   NEW [[pix_turn_q <= 1'b0;]])
 mutant(memory_urgent_scan_waits FILE rtl/board/rc_board_memory.sv TEST board [memory]
-  OLD [[assign scan_first  = scan_req_valid_i && scan_urgent_i;]]
-  NEW [[assign scan_first  = scan_req_valid_i && scan_urgent_i && !mem_req_valid_i;]])
+  OLD [[assign scan_first  = scan_offers && scan_urgent_i;]]
+  NEW [[assign scan_first  = scan_offers && scan_urgent_i && !chip_held_q;]])
+mutant(memory_serves_a_request_twice FILE rtl/board/rc_board_memory.sv TEST board [memory]
+  OLD [[assign scan_offers = scan_req_valid_i && !scan_ready_q;]]
+  NEW [[assign scan_offers = scan_req_valid_i;]])
+mutant(memory_overwrites_the_held_request FILE rtl/board/rc_board_memory.sv TEST board [memory]
+  OLD [[if (!chip_held_q) {chip_id_q, chip_addr_q} <= mem_req_i;]]
+  NEW [[if (!chip_held_q || mem_req_valid_i) {chip_id_q, chip_addr_q} <= mem_req_i;]])
 mutant(memory_first_beat_is_highest FILE rtl/board/rc_board_memory.sv TEST board [memory]
   OLD [[{rd_data, line_q[LineBits-1:16]};]]
   NEW [[{line_q[LineBits-17:0], rd_data};]])

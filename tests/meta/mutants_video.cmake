@@ -4,8 +4,8 @@
 # ---- Scan-out: what is requested when, and which pixel is where.
 set(scan_out rtl/board/rc_scan_out.sv)
 mutant(scan_urgent_one_block_late QUICK FILE ${scan_out} TEST board [scan]
-  OLD [[req_valid_q && to_request_q >= to_fall_q;]]
-  NEW [[req_valid_q && to_request_q > to_fall_q;]])
+  OLD [[!req_ready_i && to_request_q >= to_fall_q;]]
+  NEW [[!req_ready_i && to_request_q > to_fall_q;]])
 mutant(scan_opens_a_row_too_early FILE ${scan_out} TEST board [scan]
   OLD [[? s1_y_q[2:0] == '1 : s1_y_q[1:0] == '1)]]
   NEW [[? s1_y_q[2:0] == '1 : s1_y_q[1:0] == 2'd2)]])
