@@ -22,6 +22,7 @@ module rc_board #(
   parameter  int unsigned InitUs     = 200,         // wait of the SDRAM after power-on
   parameter  int unsigned ReadDelay  = 1,           // of rc_sdram; see above
   parameter  int unsigned Counters   = 1,           // the chip's unit counters
+  parameter  int unsigned GateClock  = 0,           // the chip's clock stands still while it is idle
   parameter  logic [63:0] ConfigHash = '0,          // of the configuration that rc_pkg belongs to
   localparam int unsigned RowBits    = 13
 ) (
@@ -118,8 +119,14 @@ module rc_board #(
   logic             hit_valid, hit_ready;
   rc_pkg::hit_t     hit;
 
+  logic chip_clk;
+
+  rc_chip_clock #(.Gates(GateClock)) u_chip_clock (
+    .clk_i, .rst_ni, .chip_rst_ni(chip_rst_n_q), .bus_i(chip_cyc), .running_i(running),
+    .chip_clk_o(chip_clk));
+
   rc_chip #(.Counters(Counters)) u_chip (
-    .clk_i, .rst_ni(chip_rst_n_q),
+    .clk_i(chip_clk), .rst_ni(chip_rst_n_q),
     .wb_cyc_i(chip_cyc), .wb_stb_i(chip_stb), .wb_we_i(chip_we), .wb_adr_i(chip_adr),
     .wb_dat_i(chip_wr_dat), .wb_dat_o(chip_dat), .wb_ack_o(chip_ack), .wb_err_o(chip_err),
     .mem_req_valid_o(mem_req_valid), .mem_req_ready_i(mem_req_ready), .mem_req_o(mem_req),

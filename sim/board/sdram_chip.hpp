@@ -19,6 +19,7 @@ struct SdramChipPins {
     std::uint32_t dqm = 0;   ///< 2 bits
     bool driven = false;     ///< the controller drives DQ
     std::uint16_t dq = 0;    ///< its data
+    friend bool operator==(const SdramChipPins&, const SdramChipPins&) = default;
 };
 
 /// A kind of violation.

@@ -17,8 +17,9 @@ std::string module_of(const Config& config, const BoardShape& shape) {
         throw UserError(fmt::format("the board's chip has one pipeline, and this configuration has {}",
                                     config.pipelines));
     const SdramPart& part = sdram_part(shape.sdram);
-    return fmt::format("rc_board ClkKhz={} Baud={} ColumnBits={} InitUs={} ConfigHash=64'h{:016x}", shape.khz,
-                       shape.baud, part.column_bits, shape.initial_wait_us, config_hash(config));
+    return fmt::format(
+        "rc_board ClkKhz={} Baud={} ColumnBits={} InitUs={} GateClock={} ConfigHash=64'h{:016x}", shape.khz,
+        shape.baud, part.column_bits, shape.initial_wait_us, int(shape.gates_clock), config_hash(config));
 }
 
 /// The SDRAM waits after power-on for the time that the shape says.

@@ -22,6 +22,7 @@ struct BoardShape {
     std::string sdram = "as4c32m16sb";
     int initial_wait_us = 200;   ///< of the SDRAM after power-on
     bool is_lit = true;          ///< the screen is simulated, which costs time
+    bool gates_clock = true;     ///< no time is spent on the chip while it is idle
     int seed = 1;                ///< of registers without a reset
 };
 
@@ -43,6 +44,9 @@ public:
 
     std::uint64_t cycle() const { return cycle_; }
     std::uint8_t leds() const { return std::uint8_t(led_); }
+    /// The pins after the last cycle: of the memory, and the screen's pairs of bits.
+    SdramChipPins memory_pins() const { return pins_.get(); }
+    std::uint32_t tmds() const { return std::uint32_t(tmds_); }
     const SdramChip& sdram() const { return sdram_; }
     const Screen& screen() const { return screen_; }
     const TmdsReceiver& receiver() const { return receiver_; }

@@ -7,6 +7,7 @@
 #include "sim/run/film/choice.hpp"
 #include "sim/run/frame/frame.hpp"
 #include "sim/run/request/request.hpp"
+#include "tests/support/machine/frames.hpp"
 
 namespace rayclock::test::simulated_board_test {
 
@@ -71,6 +72,39 @@ private:
     ScanOut beam_;
     std::uint64_t taken_at_ = 0;
     bool ran_ = false;
+};
+
+/// Two boards that get the same bytes, one of which has no clock gate: their pins are equal in every cycle.
+class TwinBoards : public Channel {
+public:
+    TwinBoards(const Config& config, BoardShape shape)
+        : gated_(config, shape), plain_(config, (shape.gates_clock = false, shape)) {}
+
+    Moved exchange(std::span<const std::uint8_t> out, std::span<std::uint8_t> in, LinkTime most) override {
+        for (SimulatedBoard* board : {&gated_, &plain_})
+            board->from_host().bytes.insert(board->from_host().bytes.end(), out.begin(), out.end());
+        std::deque<std::uint8_t>& bytes = gated_.to_host().bytes;
+        for (const LinkTime end = now() + most; now() < end && bytes.empty();) step();
+        if (bytes != plain_.to_host().bytes) FAIL("cycle " << gated_.cycle() << ": other bytes to the host");
+        Moved moved{out.size(), std::min(in.size(), bytes.size())};
+        std::copy_n(bytes.begin(), moved.read, in.begin());
+        bytes.erase(bytes.begin(), bytes.begin() + std::ptrdiff_t(moved.read));
+        plain_.to_host().bytes = bytes;
+        return moved;
+    }
+    LinkTime now() override { return gated_.now(); }
+
+private:
+    void step() {
+        gated_.step();
+        plain_.step();
+        SdramChipPins a = gated_.memory_pins(), b = plain_.memory_pins();
+        if (!a.driven && !b.driven) a.dq = b.dq = 0;   // from registers without a reset
+        if (a != b || gated_.leds() != plain_.leds() || gated_.tmds() != plain_.tmds())
+            FAIL("cycle " << gated_.cycle() << ": the pins differ");
+    }
+
+    SimulatedBoard gated_, plain_;
 };
 
 std::vector<Bytes> bytes_of_frame(const Job& job, const Trace& frame) {
@@ -167,7 +201,10 @@ ConfigChoice camera_chip() { return {"ulx3s", {"dram=board", "scan_out=1", "pixe
 TEST_CASE("the rtl of the simulated board is built", "[.build]") {
     for (const ConfigChoice& choice : {Setting().config, camera_chip()})
         const SimulatedBoard board(load_config(choice), shape_of({}));
-    SUCCEED("both are there");
+    BoardShape plain = shape_of({});
+    plain.gates_clock = false;
+    const SimulatedBoard board(load_config(camera_chip()), plain);
+    SUCCEED("all are there");
 }
 
 TEST_CASE("two frames of a shading chip on the board are the model's", "[simulated]") {
@@ -180,6 +217,21 @@ TEST_CASE("frames of a scene that moves are the model's", "[simulated]") {
 
 TEST_CASE("a frame of a camera's chip on the board is the model's, up to the screen", "[simulated]") {
     require_equal_frames({.config = camera_chip(), .is_lit = true, .depth = 0}, 1);
+}
+
+TEST_CASE("a chip whose clock stands still while it is idle leaves every pin as it was", "[simulated]") {
+    const Setting s{.config = camera_chip(), .is_lit = true, .depth = 0};
+    const Job job = make_shot(s.scene, s.size, load_config(s.config)).job;
+    TwinBoards boards(job.config, shape_of(s));
+    BoardLink link(boards, {.baud = shape_of(s).baud, .hello = 1});
+    BoardHost host(link, job.config, sdram_part(s.sdram));
+    std::uint64_t done = 0;
+    host.load(job.image, done);
+    for (int f = 0; f < 2; ++f) {
+        const BoardFrame frame = host.run(job.frame, LinkTime(1'000'000));
+        CHECK(frame.cycles > 0);
+        CHECK(frame.pixels.size() == std::size_t(s.size.width * s.size.height));
+    }
 }
 
 TEST_CASE("a frame that does not end in time is reported in one sentence", "[simulated]") {

@@ -48,6 +48,13 @@ mutant(board_memory_is_not_aligned FILE rtl/board/rc_board.sv TEST board "two fr
   OLD [[.init_done_o(init_done), .align_i(nears),]]
   NEW [[.init_done_o(init_done), .align_i(nears && 1'b0),]])
 
+mutant(board_clock_stops_in_a_bus_access FILE rtl/board/rc_chip_clock.sv TEST board "a chip whose clock*"
+  OLD [[assign is_used = bus_i || running_i;]]
+  NEW [[assign is_used = running_i;]])
+mutant(board_clock_stops_in_a_frame FILE rtl/board/rc_chip_clock.sv TEST board "a chip whose clock*"
+  OLD [[assign is_used = bus_i || running_i;]]
+  NEW [[assign is_used = bus_i;]])
+
 # ---- The model of the memory.
 foreach(cycles 19 21)
   mutant(model_board_starts_after_${cycles}_cycles FILE model/board/board_memory.hpp
