@@ -44,7 +44,9 @@ public:
 
     std::uint64_t cycle() const { return cycle_; }
     std::uint8_t leds() const { return std::uint8_t(led_); }
-    /// The pins after the last cycle: of the memory, and the screen's pairs of bits.
+    /// The pins after the last cycle: the wire from the host, the memory's, and the screen's pairs of bits.
+    bool rx() const { return rx_ != 0; }
+    bool tx() const { return tx_ != 0; }
     SdramChipPins memory_pins() const { return pins_.get(); }
     std::uint32_t tmds() const { return std::uint32_t(tmds_); }
     const SdramChip& sdram() const { return sdram_; }

@@ -44,7 +44,8 @@ void run_yosys(const synth::YosysFolder& folder, const Config& config, const std
 /// Optimises each unit alone and joins the units at the end, so that each cell keeps its unit's name.
 /// Optimisation across units gains little: `small` has 23,216 LUT4 with this script and 23,298 with the
 /// other.
-std::string synth_script(const std::string& top, const std::string& units) {
+std::string synth_script(const std::string& top, const std::string& units,
+                         const std::string& at_the_end = {}) {
     return fmt::format(
         "read_verilog -sv harness.v\n"
         "hierarchy -check -top {}\n"
@@ -53,8 +54,9 @@ std::string synth_script(const std::string& top, const std::string& units) {
         "setattr -mod -unset keep_hierarchy *\n"
         "flatten\n"
         "opt_clean\n"
+        "{}"
         "write_json netlist.json\n",
-        top, units, ecp5_steps());
+        top, units, ecp5_steps(), at_the_end);
 }
 
 class Steps {
@@ -141,8 +143,8 @@ private:
             cache_.keep("chip-face", key, {{"harness", harness_}, {"modules", modules_}, {"units", units_}});
         }
         design_ = fmt::format("top {} of copies package {} modules {} harness {} script {} {}", request_.top,
-                              package, modules_, jobs::hash_text(harness_),
-                              jobs::hash_text(synth_script(top_, units_)), synth::yosys_version());
+                              package, modules_, jobs::hash_text(harness_), jobs::hash_text(script()),
+                              synth::yosys_version());
     }
 
     /// The same for a board. Its ports are those of rc_ulx3s.v, and all sources are part of the key.
@@ -155,11 +157,11 @@ private:
             "*rc_video*";
         for (const area::UnitRow& row : area::unit_rows())
             if (row.is_there(request_.config)) units_ += fmt::format(" *rc_{}*", row.name);
-        design_ = fmt::format("board package {} rtl {} harness {} pins {} script {} {} {}",
-                              jobs::hash_text(rc_package(request_.config)),
-                              synth::rtl_digest(RtlScope::board), jobs::hash_text(harness_),
-                              jobs::hash_text(pins_), jobs::hash_text(synth_script(top_, units_)),
-                              synth::yosys_version(), packer_version());
+        design_ =
+            fmt::format("board package {} rtl {} harness {} pins {} script {} {} {}",
+                        jobs::hash_text(rc_package(request_.config)), synth::rtl_digest(RtlScope::board),
+                        jobs::hash_text(harness_), jobs::hash_text(pins_), jobs::hash_text(script()),
+                        synth::yosys_version(), packer_version());
     }
 
     /// Returns patterns of Yosys for the modules that stay separate: the top module and the units in it.
@@ -185,6 +187,10 @@ private:
         });
     }
 
+    std::string script() const {
+        return synth_script(top_, units_, request_.is_board() ? pin_registers() : "");
+    }
+
     fs::path netlist() const {
         return cache_.folder() / fmt::format("chip-netlist-{}.netlist", jobs::hash_text(design_));
     }
@@ -194,8 +200,7 @@ private:
         report_progress("synthesis", 0);
         const synth::YosysFolder folder(cache_.folder());
         folder.write("harness.v", harness_);
-        run_yosys(folder, request_.config, synth_script(top_, units_),
-                  request_.is_board() ? RtlScope::board : RtlScope::chip);
+        run_yosys(folder, request_.config, script(), request_.is_board() ? RtlScope::board : RtlScope::chip);
         const Units names(request_.top);
         std::map<std::string, Use> units;
         const bool whole = read_cells(folder.path("netlist.json").string(), [&](const Cell& cell) {
