@@ -7,23 +7,22 @@
 namespace rayclock {
 
 void serve(SimulatedBoard& board, PseudoTerminal& terminal, const std::function<bool()>& ends,
-           std::uint64_t last_cycle) {
+           ServeLimits limits) {
     constexpr LinkTime slice{20};             // of the board: about 1,500 cycles
-    constexpr LinkTime linger{50'000};        // of the board: three screen periods
     constexpr LinkTime nap{50'000};           // of the host
     constexpr std::size_t most_queued = 64;   // the rest waits in the terminal, as in a port's driver
-    const bool stands_still = last_cycle == std::numeric_limits<std::uint64_t>::max();
+    const bool stands_still = limits.last_cycle == ServeLimits{}.last_cycle;
     std::array<std::uint8_t, 256> in, arrived;
     std::vector<std::uint8_t> out;
     LinkTime heard = board.now();
-    while (!ends() && board.cycle() < last_cycle) {
+    while (!ends() && board.cycle() < limits.last_cycle) {
         if (terminal.is_left()) {
             board.from_host().bytes.clear();
             out.clear();
         }
         const std::size_t got = board.from_host().bytes.size() < most_queued ? terminal.read(in) : 0;
         if (got > 0 || !board.from_host().bytes.empty()) heard = board.now();
-        if (stands_still && out.empty() && board.now() - heard > linger) {
+        if (stands_still && out.empty() && board.now() - heard > limits.linger) {
             terminal.wait(nap);
             continue;
         }

@@ -9,12 +9,18 @@
 
 namespace rayclock {
 
-/// Simulates the board until `ends` returns true, or until the board has this cycle. The bytes of its UART go
-/// to and from the terminal. `ends` is called every few hundredths of a second.
-///
-/// Bytes that a program has sent are dropped when it closes the terminal. Without a limit of cycles, the
-/// board stands still after three screen periods without a byte from the host, until the next one comes.
+/// When a served board stops by itself.
+struct ServeLimits {
+    std::uint64_t last_cycle = std::numeric_limits<std::uint64_t>::max();
+    /// Time of the board without a byte from the host after which it stands still, until the next byte comes:
+    /// three screen periods. Without effect if there is a last cycle.
+    LinkTime linger{50'000};
+};
+
+/// Simulates the board until `ends` returns true, or until the board has its last cycle. The bytes of its
+/// UART go to and from the terminal. `ends` is called every few hundredths of a second. Bytes that a program
+/// has sent are dropped when it closes the terminal.
 void serve(SimulatedBoard& board, PseudoTerminal& terminal, const std::function<bool()>& ends,
-           std::uint64_t last_cycle = std::numeric_limits<std::uint64_t>::max());
+           ServeLimits limits = {});
 
 }   // namespace rayclock

@@ -39,10 +39,9 @@ int serve_board(const BoardOptions& o) {
                 khz / 1e3, terminal.name(), shell_word(o.is_simulated() ? terminal.name() : o.port));
             std::fflush(stdout);
         }
-        if (o.cycles > 0)
-            serve(*board, terminal, interrupted, o.cycles);
-        else
-            serve(*board, terminal, interrupted);
+        ServeLimits limits;
+        if (o.cycles > 0) limits.last_cycle = o.cycles;
+        serve(*board, terminal, interrupted, limits);
     }
     std::vector<std::string> faults = memory_faults(*board);
     for (const std::string& fault : screen_faults(*board)) faults.push_back(fault);
