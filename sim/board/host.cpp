@@ -122,6 +122,14 @@ BoardTiming BoardHost::timing() {
     return timing;
 }
 
+std::uint32_t BoardHost::underruns(LinkTime after) {
+    for (const LinkTime end = link_.now() + after;;) {
+        const bool is_last = link_.now() >= end;
+        const std::uint32_t underruns = link_.read(BoardRegister::underruns);
+        if (is_last) return underruns;
+    }
+}
+
 Accounts BoardHost::accounts() {
     check_drawn();
     Accounts accounts;

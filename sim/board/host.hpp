@@ -61,6 +61,8 @@ public:
     BoardPicture picture(const Progress& progress = {});
     /// The cost of the last frame.
     BoardTiming timing();
+    /// Pixels that came too late for the screen since the board's reset, up to this time from now.
+    std::uint32_t underruns(LinkTime after);
 
     /// set_frame(), draw(), accounts() and picture().
     BoardFrame run(const Frame& frame, LinkTime most, const Progress& progress = {});

@@ -17,6 +17,7 @@ void serve(SimulatedBoard& board, PseudoTerminal& terminal, const std::function<
     LinkTime heard = board.now();
     while (!ends() && board.cycle() < limits.last_cycle) {
         if (terminal.is_left()) {
+            while (terminal.read(in) > 0) {}
             board.from_host().bytes.clear();
             out.clear();
         }

@@ -276,3 +276,34 @@ TEST_CASE("a board that serve simulates is loaded, drawn, read and checked throu
     CHECK_FALSE(std::filesystem::exists(std::filesystem::symlink_status(port)));
     CHECK(std::filesystem::exists(screen));
 }
+
+TEST_CASE("a screen whose requests are never granted is reported, and the board is not equal", "[slow]") {
+    const Folder folder;
+    const std::string rtl = folder.name("rtl"), file = rtl + "/board/rc_board.sv";
+    std::filesystem::copy(source_folder() + "/rtl", rtl, std::filesystem::copy_options::recursive);
+    std::string text = bytes_of(file);
+    for (const char* signal : {".scan_req_valid_i(scan_req_valid", ".req_ready_i(scan_req_ready"}) {
+        const std::size_t at = text.find(std::string(signal) + ")");
+        REQUIRE(at != std::string::npos);
+        text.insert(at + std::string(signal).size(), " && 1'b0");
+    }
+    // Without a reset of its own this register is random in the first cycle, and an assertion may then fail.
+    text.insert(text.rfind("endmodule"), "  initial chip_rst_n_q = 1'b0;\n");
+    folder.write("rtl/board/rc_board.sv", text);
+    const std::string json = folder.name("report.json");
+    const Outcome outcome =
+        run_program({"board", "tetra:1", "--config", "ulx3s", "--set", "dram=board", "--set", "scan_out=1",
+                     "--set", "pixel_writes=1", "--size", "16x12", "--json", json},
+                    {"RAYCLOCK_RTL=" + rtl});
+    INFO(outcome.out << outcome.err);
+    CHECK(outcome.code == 1);
+    CHECK(outcome.out.ends_with("DIFFERENT\n"));
+    CHECK(outcome.out.find("EQUAL") == std::string::npos);
+    const auto report = nlohmann::json::parse(bytes_of(json), nullptr, false);
+    CHECK(report["good"] == false);
+    // The picture in memory is right, and none of its pixels reaches the screen.
+    CHECK(report["frames"][0]["wrong_pixels"] == 0);
+    CHECK(report["underruns"] > 0);
+    CHECK(report["wrong_screen_pixels"] > 0);
+    CHECK(report["faults"].empty());
+}

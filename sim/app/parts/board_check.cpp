@@ -79,6 +79,7 @@ struct FrameCheck {
 /// The results of the comparison.
 struct BoardCheck {
     std::vector<FrameCheck> frames;
+    std::uint32_t underruns = 0;   ///< also while the screen shows the last frame
     // Of a simulated board, after the last frame:
     std::optional<std::uint64_t> wrong_screen_pixels;
     std::vector<std::string> faults;   ///< of SDRAM, screen and cable, the first ones
@@ -86,7 +87,7 @@ struct BoardCheck {
 
     bool is_good() const {
         return std::all_of(frames.begin(), frames.end(), std::mem_fn(&FrameCheck::is_good)) &&
-               wrong_screen_pixels.value_or(0) == 0 && faults.empty();
+               underruns == 0 && wrong_screen_pixels.value_or(0) == 0 && faults.empty();
     }
 };
 
@@ -156,6 +157,7 @@ nlohmann::ordered_json json_of(const BoardCheck& check) {
                           {"wrong_pixels", frame.wrong_pixels},
                           {"underruns", frame.board.underruns}});
     return {{"frames", frames},
+            {"underruns", check.underruns},
             {"wrong_screen_pixels", screen},
             {"faults", check.faults},
             {"good", check.is_good()}};
@@ -218,6 +220,9 @@ int check_frames(const BoardOptions& o) {
             differences(expected_screen(size, expected), board->screen().picture().pixels);
         check.faults = screen_faults(*board);
     }
+    // A short frame ends before the screen shows it.
+    constexpr LinkTime three_periods{51'000};
+    check.underruns = host.underruns(board ? LinkTime(0) : three_periods);
     if (board) {
         const std::vector<std::string> faults = memory_faults(*board);
         check.faults.insert(check.faults.end(), faults.begin(), faults.end());
@@ -231,7 +236,9 @@ int check_frames(const BoardOptions& o) {
         fmt::print("{}", film.frames() > 1 ? film_text(check) : frame_text(check.frames[0], khz));
         if (check.wrong_screen_pixels)
             fmt::print("  screen: {} of {} pixels differ, {} shown too late\n", *check.wrong_screen_pixels,
-                       Screens::width * Screens::height, check.frames.back().board.underruns);
+                       Screens::width * Screens::height, check.underruns);
+        else if (!board)
+            fmt::print("  screen: {} pixels shown too late\n", check.underruns);
         for (const std::string& fault : check.faults) fmt::print("  fault: {}\n", fault);
         if (board)
             fmt::print("  simulated {} cycles in {:.1f} s, {:.2f} M cycles/s\n",
