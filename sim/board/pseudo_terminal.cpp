@@ -9,6 +9,8 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/ioctl.h>
+#include <sys/uio.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -37,7 +39,8 @@ PseudoTerminal::PseudoTerminal(const fs::path& link) {
                    ptsname_r(file_, name, sizeof name) == 0 && tcgetattr(file_, &settings) == 0;
     if (is_good) {
         cfmakeraw(&settings);
-        is_good = tcsetattr(file_, TCSANOW, &settings) == 0;
+        int packet_mode = 1;
+        is_good = tcsetattr(file_, TCSANOW, &settings) == 0 && ioctl(file_, TIOCPKT, &packet_mode) == 0;
     }
     if (!is_good) refuse(fmt::format("there is no pseudo-terminal for the board: {}", std::strerror(errno)));
     name_ = name;
@@ -64,8 +67,13 @@ bool PseudoTerminal::is_left() const {
 }
 
 std::size_t PseudoTerminal::read(std::span<std::uint8_t> in) {
-    const ssize_t bytes = ::read(file_, in.data(), in.size());
-    return bytes > 0 ? std::size_t(bytes) : 0;
+    // In packet mode a byte precedes the data: 0, or what has happened to the terminal, without data then.
+    std::uint8_t what = 0;
+    const iovec parts[] = {{&what, 1}, {in.data(), in.size()}};
+    const ssize_t bytes = readv(file_, parts, 2);
+    if (bytes <= 0) return 0;
+    if (what & (TIOCPKT_FLUSHREAD | TIOCPKT_FLUSHWRITE)) was_flushed_ = true;
+    return std::size_t(bytes) - 1;
 }
 
 std::size_t PseudoTerminal::write(std::span<const std::uint8_t> out) {
@@ -74,7 +82,7 @@ std::size_t PseudoTerminal::write(std::span<const std::uint8_t> out) {
 }
 
 void PseudoTerminal::wait(LinkTime most) {
-    pollfd poller{file_, POLLIN, 0};
+    pollfd poller{file_, POLLIN | POLLPRI, 0};
     const auto milliseconds = int(most.count() / 1000);
     // A terminal that everybody has left ends each poll at once.
     if (poll(&poller, 1, milliseconds) > 0 && (poller.revents & POLLHUP)) std::this_thread::sleep_for(most);

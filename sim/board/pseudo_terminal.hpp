@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "sim/board/link.hpp"
 #include "sim/files/scratch.hpp"
@@ -26,6 +27,9 @@ public:
     bool is_left() const;
     /// Reads bytes that were sent. Does not wait. Returns their number.
     std::size_t read(std::span<std::uint8_t> in);
+    /// True once after a program has flushed the terminal, as Port does when it opens it. Bytes that read()
+    /// returns from then on are that program's.
+    bool was_flushed() { return std::exchange(was_flushed_, false); }
     /// Sends bytes, as many as the terminal takes at once. Returns their number.
     std::size_t write(std::span<const std::uint8_t> out);
     /// Waits until there are bytes to read, but not longer than `most`.
@@ -34,6 +38,7 @@ public:
 private:
     std::string name_;
     int file_ = -1;
+    bool was_flushed_ = false;
     std::filesystem::path link_;
     Scratch scratch_;
 };

@@ -2,6 +2,7 @@
 #include "sim/board/server.hpp"
 
 #include <array>
+#include <deque>
 #include <vector>
 
 namespace rayclock {
@@ -18,11 +19,18 @@ void serve(SimulatedBoard& board, PseudoTerminal& terminal, const std::function<
     while (!ends() && board.cycle() < limits.last_cycle) {
         if (terminal.is_left()) {
             while (terminal.read(in) > 0) {}
-            board.from_host().bytes.clear();
             out.clear();
         }
-        const std::size_t got = board.from_host().bytes.size() < most_queued ? terminal.read(in) : 0;
-        if (got > 0 || !board.from_host().bytes.empty()) heard = board.now();
+        std::deque<std::uint8_t>& queue = board.from_host().bytes;
+        const std::size_t got = queue.size() < most_queued ? terminal.read(in) : 0;
+        if (terminal.was_flushed()) {
+            // Zeros complete a packet that the last program did not finish, so that the board drops it now.
+            // Until it does so by the silence on its line, it takes a hello for the packet's rest, and here
+            // such a silence would last seconds.
+            out.clear();
+            queue.assign(link_packet_most, 0);
+        }
+        if (got > 0 || !queue.empty()) heard = board.now();
         if (stands_still && out.empty() && board.now() - heard > limits.linger) {
             terminal.wait(nap);
             continue;
