@@ -50,8 +50,10 @@ int serve_board(const BoardOptions& o) {
         write_file(o.output, png_bytes(picture_of({int(Screens::width), int(Screens::height)},
                                                   board->screen().picture().pixels)));
     if (talks) {
-        fmt::print("  simulated {} cycles in {:.1f} s; the screen showed {} whole pictures\n",
-                   grouped(board->cycle()), watch.seconds(), grouped(board->screen().frames()));
+        fmt::print(
+            "  simulated {} cycles in {:.1f} s{}\n", grouped(board->cycle()), watch.seconds(),
+            o.dark ? ""
+                   : fmt::format("; the screen showed {} whole pictures", grouped(board->screen().frames())));
         for (const std::string& fault : faults) fmt::print("  fault: {}\n", fault);
         if (!o.output.empty())
             fmt::print("  {}{}\n", printable(o.output),
