@@ -17,9 +17,9 @@ struct ServeLimits {
     LinkTime linger{50'000};
 };
 
-/// Simulates the board until `ends` returns true, or until the board has its last cycle. The bytes of its UART
-/// go to and from the terminal. `ends` is called every few hundredths of a second. When a program opens the
-/// terminal, what others have left under way is dropped, and zeros complete the last packet.
+/// Simulates the board until `ends` returns true, or until the board has its last cycle. The bytes of its
+/// UART go to and from the terminal. `ends` is called every few hundredths of a second. When a program opens
+/// the terminal, what others have left under way is dropped, and zeros complete the last packet.
 void serve(SimulatedBoard& board, PseudoTerminal& terminal, const std::function<bool()>& ends,
            ServeLimits limits = {});
 
