@@ -1,28 +1,21 @@
-// rayclock board: draws frames on a real or simulated board, and compares them with the model's.
+// rayclock board: loads, draws and compares frames on a real or a simulated board.
 #include <algorithm>
-#include <filesystem>
-#include <functional>
-#include <memory>
+#include <optional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "model/base/error.hpp"
+#include "model/base/nearest.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
+#include "sim/app/options/command_line.hpp"
 #include "sim/app/options/commands.hpp"
-#include "sim/app/options/options.hpp"
-#include "sim/app/run/clock.hpp"
-#include "sim/app/run/film_strip.hpp"
-#include "sim/app/run/picture_folder.hpp"
-#include "sim/board/host.hpp"
-#include "sim/board/port.hpp"
-#include "sim/board/simulated_board.hpp"
+#include "sim/app/parts/board_session.hpp"
 #include "sim/files/image/image.hpp"
-#include "sim/files/image/srgb.hpp"
+#include "sim/files/output.hpp"
 #include "sim/files/process/stopping.hpp"
 #include "sim/files/table.hpp"
-#include "sim/run/film/strip.hpp"
-#include "sim/run/frame/frame.hpp"
 #include "sim/run/request/request.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/text.hpp"
@@ -31,27 +24,15 @@ namespace rayclock {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr const char* simulated = "simulated";
-constexpr int port_baud = 3'000'000;
-/// Cycles of a bit on the wire of a simulated board: few, because each cycle costs time. rc_baud needs
-/// at least four.
-constexpr int simulated_cycles_per_bit = 5;
-
-struct BoardOptions {
-    std::string scene, size = "64x48", clock = "75", port = simulated, sdram = "as4c32m16sb";
-    ConfigChoice config{"ulx3s-board", {}};
-    Finish finish;
-    ViewChoice view;
-    FramesOptions frames;
-    bool dark = false;
-    std::string output;
-    JsonOutput json;
-};
+using nlohmann::ordered_json;
 
 void declare_board(Parser& parser, BoardOptions& o) {
-    scene_option(parser, o.scene).required();
+    parser.option(
+        "ACTION", o.action,
+        "check (can be left out): draw SCENE on the board and on the model, and compare; load: only "
+        "write SCENE to the board; run: draw what is loaded; read: picture or memory; counters: of "
+        "the last frame; serve: simulate a board for other programs");
+    scene_option(parser, o.scene);
     finished_options(parser, o.finish);
     view_options(parser, o.view);
     size_option(parser, o.size);
@@ -59,315 +40,220 @@ void declare_board(Parser& parser, BoardOptions& o) {
     one_clock_option(parser, o.clock);
     config_options(parser, o.config);
     parser
-        .option(
-            "--port", o.port,
-            "serial port of a board, such as /dev/ttyUSB0, or 'simulated': the board's RTL from pin to pin")
+        .option("--port", o.port,
+                "serial port of a board, such as /dev/ttyUSB0, or 'simulated': the board's RTL from pin to "
+                "pin. serve makes this file, a link to its pseudo-terminal")
         .with_default();
+    parser
+        .option("--patience", o.patience,
+                "make all time-outs this many times longer than for a real board; default: 500 at a "
+                "pseudo-terminal, otherwise 1")
+        .within(1, 1'000'000);
     parser.option("--sdram", o.sdram, "memory of the board: as4c32m16sb or is42s16160g").with_default();
     parser.flag("--dark", o.dark, "leave out the simulated screen, which is faster");
+    parser.option("--lines", o.lines, "read: FIRST:COUNT, these lines of memory, 64 bytes each");
+    parser.option("--cycles", o.cycles, "serve: end when the board has had this many cycles");
     parser.option("-o,--output", o.output,
                   "folder for model.png, board.png and screen.png; of a film for frame_NNNN.png, film.png "
-                  "and screen.png");
+                  "and screen.png. read: file for the picture (PNG) or the lines. serve: PNG file for the "
+                  "screen");
     json_option(parser, o.json);
 }
 
-/// Ends every wait for a board at Ctrl-C.
-class StoppableChannel : public Channel {
-public:
-    /// slice: the longest wait without a check for Ctrl-C, in the channel's time.
-    StoppableChannel(Channel& inner, LinkTime slice) : inner_(inner), slice_(slice) {}
-
-    Moved exchange(std::span<const std::uint8_t> out, std::span<std::uint8_t> in, LinkTime most) override {
-        stop_if_interrupted();
-        return inner_.exchange(out, in, std::min(most, slice_));
+/// A board at a port, for an action that takes no scene.
+struct LoadedBoard {
+    explicit LoadedBoard(const BoardOptions& o) : progress(stopping(terminal_progress())) {
+        o.json.check();
+        sdram_part(o.sdram);   // throws
+        std::unique_ptr<Port> port = open_port(o);
+        config = load_config(o.config);
+        config.board_sdram = o.sdram;
+        check_board(config);
+        khz = board_clock(o, config);
+        session.emplace(o, config, khz, std::move(port));
     }
-    LinkTime now() override { return inner_.now(); }
+    BoardHost& host() { return session->host(); }
 
-private:
-    Channel& inner_;
-    LinkTime slice_;
+    Progress progress;
+    Config config;
+    int khz = 0;
+    std::optional<BoardSession> session;
 };
 
-/// A screen period must last a whole number of cycles. Otherwise the cycles of a frame would depend on the
-/// number of periods before it.
-void check_beam(int khz) {
-    constexpr int step = 5;
-    if (khz % step != 0)
-        throw UserError(
-            fmt::format("--clock {:g}: a screen period must last a whole number of cycles, "
-                        "so the clock must be a multiple of {:g} MHz",
-                        khz / 1e3, step / 1e3));
-}
-
-using Bytes = std::array<std::uint8_t, 3>;
-
-std::vector<Bytes> bytes_of(const Picture& picture) {
-    std::vector<Bytes> bytes;
-    for (const glm::vec3& pixel : picture.pixels) bytes.push_back(srgb_bytes(pixel));
-    return bytes;
-}
-
-Picture picture_of(FrameSize size, const std::vector<Bytes>& bytes) {
-    Picture picture{size, {}};
-    for (const Bytes& pixel : bytes)
-        picture.pixels.emplace_back(linear_from_srgb(pixel[0] / 255.0), linear_from_srgb(pixel[1] / 255.0),
-                                    linear_from_srgb(pixel[2] / 255.0));
-    return picture;
-}
-
-/// Returns the bytes that the board must have for a frame of the model.
-std::vector<Bytes> expected_bytes(const Config& config, FrameSize size, const Trace& trace) {
-    if (config.has_shade()) return bytes_of(picture_from_colours(size, trace.colours));
-    std::vector<Bytes> bytes;
-    for (const Closest& hit : trace.hits) bytes.push_back(label_colour(hit.found, hit.prim));
-    return bytes;
-}
-
-/// The screen around a picture: the middle of 640x480 pixels, black around it.
-std::vector<Bytes> expected_screen(FrameSize size, const std::vector<Bytes>& bytes) {
-    const bool doubles = Screens::doubles(std::uint32_t(size.width), std::uint32_t(size.height));
-    const int scale = doubles ? 2 : 1, left = (int(Screens::width) - scale * size.width) / 2,
-              top = (int(Screens::height) - scale * size.height) / 2;
-    std::vector<Bytes> screen(Screens::width * Screens::height);
-    for (int y = 0; y < scale * size.height; ++y)
-        for (int x = 0; x < scale * size.width; ++x)
-            screen[std::size_t(top + y) * Screens::width + std::size_t(left + x)] =
-                bytes[std::size_t(y / scale * size.width + x / scale)];
-    return screen;
-}
-
-std::uint64_t differences(const std::vector<Bytes>& a, const std::vector<Bytes>& b) {
-    std::uint64_t count = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) count += i >= b.size() || a[i] != b[i];
-    return count;
-}
-
-/// The results of the comparison of one frame.
-struct FrameCheck {
-    FrameTiming model;
-    BoardFrame board;
-    std::string first_counter;   ///< a sentence about the first counter that differs
-    std::size_t uploaded_lines = 0;
-    std::uint64_t wrong_pixels = 0;
-
-    bool is_good() const {
-        return model.cycles == board.cycles && first_counter.empty() && wrong_pixels == 0 &&
-               board.underruns == 0;
-    }
-    std::uint64_t gap() const {
-        return std::max(model.cycles, board.cycles) - std::min(model.cycles, board.cycles);
-    }
-};
-
-/// The results of the comparison.
-struct BoardCheck {
-    std::vector<FrameCheck> frames;
-    // Of a simulated board, after the last frame:
-    std::optional<std::uint64_t> wrong_screen_pixels;
-    std::vector<std::string> faults;   ///< of SDRAM, screen and cable, the first ones
-    std::uint64_t simulated_cycles = 0;
-
-    bool is_good() const {
-        return std::all_of(frames.begin(), frames.end(), std::mem_fn(&FrameCheck::is_good)) &&
-               wrong_screen_pixels.value_or(0) == 0 && faults.empty();
-    }
-};
-
-/// The board does not count the memory's cycles, so that account is not compared.
-std::string counter_sentence(const Config& config, const Accounts& model, const Accounts& board) {
-    for (std::size_t u = 0; u < unit_count; ++u)
-        for (std::size_t c = 0; Unit(u) != Unit::memory && is_there(Unit(u), config) && c < cause_count; ++c)
-            if (model.units[u][c] != board.units[u][c])
-                return fmt::format("unit {}, counter {}: the model has {} and the board {}",
-                                   unit_infos[u].name, c, model.units[u][c], board.units[u][c]);
-    return {};
-}
-
-/// Returns the time after which a drawing board counts as hung. It is twice the model's frame plus 250 ms for
-/// the vertical blank and the link.
-LinkTime longest_frame(std::uint64_t cycles, int khz) {
-    return LinkTime(2000 * cycles / std::uint64_t(khz) + 250'000);
-}
-
-void look_at_memory(const SimulatedBoard& board, BoardCheck& check) {
-    for (const SdramChip::Violation& violation : board.sdram().violations())
-        check.faults.push_back(violation.text);
-}
-
-void look_at_screen(const SimulatedBoard& board, BoardCheck& check, const std::vector<Bytes>& screen) {
-    check.wrong_screen_pixels = differences(screen, board.screen().picture().pixels);
-    for (const std::string& error : board.screen().errors()) check.faults.push_back(error);
-    for (const std::string& error : board.receiver().errors()) check.faults.push_back(error);
-}
-
-/// The model's frames, and the memory image of the first.
-struct Recorded {
-    MemoryImage image;
-    std::vector<RecordedFrame> frames;
-};
-
-std::string frame_text(const FrameCheck& frame, int khz) {
-    return fmt::format(
-        "  cycles: model {}, board {}; {} more until the last pixel is in memory\n"
-        "  {:.2f} frames per second without the wait for the vertical blank; a board starts at most {:.1f}, "
-        "one "
-        "per screen period\n"
-        "  counters: {}\n"
-        "  pixels: {} of {} differ\n",
-        grouped(frame.model.cycles), grouped(frame.board.cycles),
-        grouped(frame.board.written_cycles - frame.board.cycles),
-        khz * 1e3 / double(frame.board.written_cycles), ScreenTiming::frames_per_second(),
-        frame.first_counter.empty() ? "equal" : frame.first_counter, frame.wrong_pixels,
-        frame.board.pixels.size());
-}
-
-/// A row for each frame, and a sentence for each frame whose counters differ.
-std::string film_text(const BoardCheck& check) {
-    Table table({"frame", "lines written", "cycles, model", "cycles, board", "wrong pixels", "counters"});
-    std::string sentences;
-    for (std::size_t f = 0; f < check.frames.size(); ++f) {
-        const FrameCheck& frame = check.frames[f];
-        table.add({std::to_string(f), grouped(frame.uploaded_lines), grouped(frame.model.cycles),
-                   grouped(frame.board.cycles), grouped(frame.wrong_pixels),
-                   frame.first_counter.empty() ? "equal" : "DIFFER"});
-        if (!frame.first_counter.empty())
-            sentences += fmt::format("  frame {}: {}\n", f, frame.first_counter);
-    }
-    return table.text() + sentences;
-}
-
-nlohmann::ordered_json json_of(const BoardCheck& check) {
-    nlohmann::ordered_json frames = nlohmann::ordered_json::array(), screen;
-    if (check.wrong_screen_pixels) screen = *check.wrong_screen_pixels;
-    for (const FrameCheck& frame : check.frames)
-        frames.push_back({{"lines_written", frame.uploaded_lines},
-                          {"cycles",
-                           {{"model", frame.model.cycles},
-                            {"board", frame.board.cycles},
-                            {"written", frame.board.written_cycles}}},
-                          {"cycle_gap", frame.gap()},
-                          {"counters_equal", frame.first_counter.empty()},
-                          {"wrong_pixels", frame.wrong_pixels},
-                          {"underruns", frame.board.underruns}});
-    return {{"frames", frames},
-            {"wrong_screen_pixels", screen},
-            {"faults", check.faults},
-            {"good", check.is_good()}};
-}
-
-int run_board(const BoardOptions& o) {
+int load_scene_on_board(const BoardOptions& o) {
     const FrameSize size = parse_size(o.size);
     const Progress progress = stopping(terminal_progress());
     o.json.check();
-    if (!o.output.empty()) check_picture_folder(o.output, {"model.png", "board.png", "screen.png"});
-    const SdramPart& part = sdram_part(o.sdram);
-    std::unique_ptr<Port> port;
-    if (o.port != simulated) port = std::make_unique<Port>(o.port, port_baud);
+    sdram_part(o.sdram);   // throws
+    std::unique_ptr<Port> port = open_port(o);
     Request request = request_of(o.scene, o.config, o.finish, 1, size, progress, o.view);
     request.config.board_sdram = o.sdram;
     const Config config = request.config;
-    if (!config.is_board())
-        throw UserError("board needs a configuration with dram=board, such as ulx3s-board");
-    const int khz = one_clock_of(o.clock, config);
-    check_beam(khz);
-    if (o.frames.uploads != FramesOptions{}.uploads)
-        throw UserError("--uploads " + shown(o.frames.uploads) +
-                        ": a board's host writes only between frames");
+    check_board(config);
+    const int khz = board_clock(o, config);
     const std::string name = request.scene.name;
+    BoardSession session(o, config, khz, std::move(port));
     Film film(std::move(request), o.frames, o.view.is_given(), size, progress);
-    if (!o.output.empty() && film.frames() > 1) check_film_folder(o.output, film.frames());
-    Recorded recorded;
-    for (std::size_t f = 0; f < film.frames(); ++f) {
-        film.next();
-        if (f == 0) recorded.image = film.job().image;
-        recorded.frames.push_back(film.record(0, progress));
-    }
-    const std::vector<FrameTiming> timings = replay(config, khz, recorded.frames, {}, progress);
-    stop_if_interrupted();
-    BoardCheck check;
-
+    film.next();
     const Stopwatch watch;
-    std::unique_ptr<SimulatedBoard> board;
-    LinkSettings settings;
-    settings.name = o.port;
-    if (!port) {
-        const std::uint32_t baud = std::uint32_t(khz) * 1000 / simulated_cycles_per_bit;
-        settings.baud = baud;
-        settings.hello = 1;
-        board = std::make_unique<SimulatedBoard>(
-            config, BoardShape{.khz = khz, .baud = baud, .sdram = o.sdram, .is_lit = !o.dark});
-    } else {
-        settings.baud = port_baud;
-    }
-    // About a tenth of a second in either case.
-    StoppableChannel channel(board ? static_cast<Channel&>(*board) : *port, LinkTime(board ? 50 : 100'000));
-    BoardLink link(channel, settings);
-    BoardHost host(link, config, part);
     std::uint64_t done = 0;
-    host.load(recorded.image, done, progress);
-    std::vector<Bytes> expected;
-    for (std::size_t f = 0; f < timings.size(); ++f) {
-        const RecordedFrame& frame = recorded.frames[f];
-        FrameCheck& now = check.frames.emplace_back();
-        now.model = timings[f];
-        now.uploaded_lines = f == 0 ? recorded.image.lines() : frame.upload.lines.size();
-        if (f > 0) host.update(frame.upload);
-        now.board = host.run(frame.frame, longest_frame(now.model.cycles, khz), progress);
-        now.first_counter = counter_sentence(config, now.model.accounts, now.board.accounts);
-        expected = expected_bytes(config, size, frame.trace);
-        now.wrong_pixels = differences(expected, now.board.pixels);
-    }
-    if (board && !o.dark) {
-        board->watch(2, progress);
-        look_at_screen(*board, check, expected_screen(size, expected));
-    }
-    if (board) {
-        look_at_memory(*board, check);
-        check.simulated_cycles = board->cycle();
-    }
+    session.host().load(film.job().image, done, progress);
+    session.host().set_frame(film.job().frame);
     const double seconds = watch.seconds();
+    if (!o.json.is_alone())
+        fmt::print(
+            "{} is on the board: {} lines of 64 bytes in {:.1f} s\n"
+            "  rayclock board run --port {} draws it\n",
+            name, grouped(done), seconds, shell_word(o.port));
+    o.json.write({{"lines_written", done}, {"seconds", seconds}});
+    return 0;
+}
 
-    if (!o.json.is_alone()) {
-        fmt::print("{} on {} at {:.1f} MHz, {}x{} pixels\n", name, board ? "the simulated board" : o.port,
-                   khz / 1e3, size.width, size.height);
-        fmt::print("{}", film.frames() > 1 ? film_text(check) : frame_text(check.frames[0], khz));
-        if (check.wrong_screen_pixels)
-            fmt::print("  screen: {} of {} pixels differ, {} shown too late\n", *check.wrong_screen_pixels,
-                       Screens::width * Screens::height, check.frames.back().board.underruns);
-        for (const std::string& fault : check.faults) fmt::print("  fault: {}\n", fault);
-        if (board)
-            fmt::print("  simulated {} cycles in {:.1f} s, {:.2f} M cycles/s\n",
-                       grouped(check.simulated_cycles), seconds,
-                       double(check.simulated_cycles) / seconds / 1e6);
-        fmt::print("{}\n", check.is_good() ? "EQUAL" : "DIFFERENT");
+int run_loaded(const BoardOptions& o) {
+    if (o.frames.frames < 1 || o.frames.frames > most_frames)
+        throw UserError(fmt::format("--frames: {} is not from 1 to {}", o.frames.frames, most_frames));
+    LoadedBoard board(o);
+    constexpr LinkTime longest{60'000'000};   // the frame's length is unknown
+    Table table({"frame", "cycles", "until the last pixel is in memory", "frames/s", "underruns"});
+    ordered_json frames = ordered_json::array();
+    board.host().reset();
+    for (int f = 0; f < o.frames.frames; ++f) {
+        const BoardTiming timing = board.host().draw(longest);
+        table.add({std::to_string(f), grouped(timing.cycles), grouped(timing.written_cycles),
+                   fmt::format("{:.2f}", board.khz * 1e3 / double(timing.written_cycles)),
+                   grouped(timing.underruns)});
+        frames.push_back({{"cycles", {{"board", timing.cycles}, {"written", timing.written_cycles}}},
+                          {"underruns", timing.underruns}});
+        if (board.progress) board.progress("drawing", std::uint64_t(f) + 1, std::uint64_t(o.frames.frames));
     }
-    if (!o.output.empty()) {
-        StagedFiles staged(o.output);
-        const auto write = [&](const std::string& file, const Picture& picture) {
-            write_file((staged.stage() / file).string(), png_bytes(picture));
-        };
-        if (check.wrong_screen_pixels)
-            write("screen.png",
-                  picture_of({int(Screens::width), int(Screens::height)}, board->screen().picture().pixels));
-        if (film.frames() > 1) {
-            for (std::size_t f = 0; f < film.frames(); ++f)
-                write(frame_name(f), picture_of(size, check.frames[f].board.pixels));
-            const std::string said = make_film(staged, o.output, film.frames(), film.times().fps);
-            if (!o.json.is_alone()) fmt::print("  {}\n", said);
-        } else {
-            write("model.png", picture_of(size, expected));
-            write("board.png", picture_of(size, check.frames[0].board.pixels));
-            staged.publish();
+    if (!o.json.is_alone()) fmt::print("{}", table.text());
+    o.json.write({{"frames", frames}});
+    return 0;
+}
+
+int read_back(const BoardOptions& o) {
+    if (o.output.empty()) throw UserError("read: -o names the file for the picture or the lines");
+    std::pair<std::uint64_t, std::uint64_t> lines;
+    if (o.lines) {
+        lines = parse_lines(*o.lines);
+        check_writable(o.output);
+    } else {
+        check_png(o.output);
+    }
+    LoadedBoard board(o);
+    ordered_json json;
+    std::string what;
+    if (o.lines) {
+        const std::vector<MemoryLine> read =
+            board.host().read_lines(lines.first, lines.second, board.progress);
+        write_file(o.output, std::string(reinterpret_cast<const char*>(read.data()), read.size() * 64));
+        what = fmt::format("{} lines of 64 bytes from line {} on", grouped(read.size()), lines.first);
+        json["lines"] = {{"first", lines.first}, {"count", lines.second}};
+    } else {
+        const BoardPicture picture = board.host().picture(board.progress);
+        const FrameSize size{int(picture.width), int(picture.height)};
+        write_file(o.output, png_bytes(picture_of(size, picture.pixels)));
+        what = fmt::format("the picture of {}x{} pixels", size.width, size.height);
+        json["frame"] = {{"width", size.width}, {"height", size.height}};
+    }
+    if (!o.json.is_alone()) fmt::print("{} has {}\n", printable(o.output), what);
+    o.json.write(json);
+    return 0;
+}
+
+int print_counters(const BoardOptions& o) {
+    LoadedBoard board(o);
+    const BoardTiming timing = board.host().timing();
+    const Accounts accounts = board.host().accounts();
+    // By CauseKind. The keys have the meaning that they have in the report of simulate.
+    constexpr const char* kinds[] = {"", "busy", "starved", "stalled"};
+    constexpr const char* keys[] = {"", "busy_with", "starved_by", "stalled"};
+    Table table({"unit", "state", "cause", "cycles"}, 3);
+    ordered_json units = ordered_json::object();
+    for (std::size_t u = 0; u < unit_count; ++u) {
+        if (Unit(u) == Unit::memory || !is_there(Unit(u), board.config)) continue;
+        ordered_json& unit = units[unit_infos[u].name];
+        for (std::size_t c = 0; c < cause_count; ++c) {
+            const Cause& cause = unit_infos[u].causes[c];
+            if (cause.kind == CauseKind::none) continue;
+            const std::size_t kind = std::size_t(cause.kind);
+            const std::uint64_t cycles = accounts.units[u][c];
+            unit[keys[kind]][cause.name] = cycles;
+            if (cycles > 0) table.add({unit_infos[u].name, kinds[kind], cause.name, grouped(cycles)});
         }
     }
-    o.json.write(json_of(check));
-    return check.is_good() ? 0 : 1;
+    if (!o.json.is_alone())
+        fmt::print("{} cycles, {} until the last pixel is in memory\n{}", grouped(timing.cycles),
+                   grouped(timing.written_cycles), table.text());
+    o.json.write({{"cycles", {{"board", timing.cycles}, {"written", timing.written_cycles}}},
+                  {"underruns", timing.underruns},
+                  {"units", units}});
+    return 0;
+}
+
+/// An action of the command.
+struct Action {
+    const char* name;
+    int (*run)(const BoardOptions&);
+    bool takes_scene, needs_port;
+};
+constexpr Action actions[] = {
+    {"check", check_frames, true, false},      {"load", load_scene_on_board, true, true},
+    {"run", run_loaded, false, true},          {"read", read_back, false, true},
+    {"counters", print_counters, false, true}, {"serve", serve_board, false, false}};
+
+/// Throws UserError if an option was given that has no meaning for the action.
+void check_meaning(const Action& action, const BoardOptions& o) {
+    const std::string_view name = action.name;
+    const BoardOptions none;
+    const auto refuse = [&](bool is_given, const char* option) {
+        if (is_given) throw UserError(fmt::format("{} has no meaning for {}", option, name));
+    };
+    if (!action.takes_scene) {
+        if (!o.scene.empty()) throw UserError(fmt::format("{} takes no scene; load and check do", name));
+        refuse(o.finish.is_given(), "an option of the finished picture, such as --depth,");
+        refuse(o.view.is_given(), "an option of the view, such as --eye,");
+        refuse(o.size != none.size, "--size");
+        FramesOptions frames = o.frames;
+        if (name == "run") frames.frames = 1;
+        refuse(frames.is_given(), "an option of several frames");
+    } else if (o.scene.empty()) {
+        throw UserError(fmt::format("{}: SCENE is missing", name));
+    }
+    refuse(name == "load" && (o.frames.frames != 1 || o.frames.pan != 0), "an option of several frames");
+    refuse(o.lines && name != "read", "--lines");
+    refuse(o.cycles > 0 && name != "serve", "--cycles");
+    refuse(!o.output.empty() && name != "check" && name != "read" && name != "serve", "-o");
+    refuse(o.dark && name != "check" && name != "serve", "--dark");
+    if (action.needs_port && o.is_simulated())
+        throw UserError(
+            fmt::format("{} needs --port: a board simulated in this process ends with it, while 'rayclock "
+                        "board serve' simulates one for several commands",
+                        name));
+}
+
+int run_board(const BoardOptions& typed) {
+    BoardOptions o = typed;
+    const auto is_action = [&](const Action& action) { return action.name == o.action; };
+    const Action* action = std::find_if(std::begin(actions), std::end(actions), is_action);
+    if (action == std::end(actions)) {   // the word is the scene
+        if (!o.scene.empty()) {
+            std::vector<std::string> names;
+            for (const Action& known : actions) names.emplace_back(known.name);
+            throw UserError(fmt::format("board has no action called {}{}; there are {}", shown(o.action),
+                                        did_you_mean(o.action, names), fmt::join(names, ", ")));
+        }
+        o.scene = o.action;
+        action = actions;
+    }
+    check_meaning(*action, o);
+    return action->run(o);
 }
 
 }   // namespace
 
 Command board_command() {
-    return command("board", "draw a frame on a ULX3S, simulated or real, and compare it",
+    return command("board", "load, draw and compare frames on a ULX3S, simulated or real",
                    "rayclock board balls:2 --depth 1 -o out", declare_board, run_board);
 }
 

@@ -57,7 +57,8 @@ struct BoardLink::Sent {
 
 BoardLink::BoardLink(Channel& channel, LinkSettings settings)
     : channel_(channel), settings_(std::move(settings)) {
-    if (settings_.tries < 1 || settings_.window < 1 || settings_.window > link_history || settings_.baud < 1)
+    if (settings_.tries < 1 || settings_.window < 1 || settings_.window > link_history ||
+        settings_.baud < 1 || settings_.slower < 1)
         throw std::logic_error("settings of the link");
     greeting_ = settings_.hello ? *settings_.hello : std::uint32_t(std::random_device{}());
 }
@@ -88,8 +89,8 @@ void BoardLink::run(std::uint64_t n, const Make& make, const Answered& answered,
             bytes += sent.bytes.size() + answer_bytes(sent.command);
             work += settings_.line * sent.command.count;
         }
-        deadline = channel_.now() + settings_.patience + work +
-                   LinkTime(std::uint64_t(bytes) * 10 * 1'000'000 / settings_.baud);
+        const LinkTime moved(std::uint64_t(bytes) * 10 * 1'000'000 / settings_.baud);
+        deadline = channel_.now() + (settings_.patience + work + moved) * settings_.slower;
     };
     const auto send = [&](Sent& sent) {
         sent.order = ++orders;

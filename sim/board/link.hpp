@@ -57,6 +57,8 @@ struct LinkSettings {
     LinkTime patience{250'000};
     /// Longest time that the board needs to read a line for check_lines(): some hundred cycles.
     LinkTime line{4};
+    /// All time-outs after the hello are longer by this factor. 1 is a real board.
+    int slower = 1;
     int tries = 8;    ///< times that a packet is sent without any answer, before the board counts as lost
     int window = 8;   ///< packets in flight, at most link_history
     std::optional<std::uint32_t> hello{};   ///< number of the first hello; none: a random one
@@ -116,6 +118,7 @@ public:
     };
     const Counts& counts() const { return counts_; }
     LinkTime now() { return channel_.now(); }   ///< of the channel
+    int slower() const { return settings_.slower; }
 
 private:
     struct Sent;

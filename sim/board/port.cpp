@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <string_view>
 #include <utility>
 
 #include <fcntl.h>
@@ -63,9 +64,13 @@ Port::Port(const std::filesystem::path& path, std::uint32_t baud) : name_(printa
         throw UserError(port_problem(name_, error));
     };
     if (!isatty(file_)) refuse(ENOTTY);
-    // TIOCEXCL keeps others from opening the port, except the superuser. The lock keeps out this program.
+    char path_of_device[256] = "";
+    is_pseudo_terminal_ = ttyname_r(file_, path_of_device, sizeof path_of_device) == 0 &&
+                          std::string_view(path_of_device).starts_with("/dev/pts/");
+    // TIOCEXCL keeps others from opening the port, except the superuser. The lock keeps out this program. A
+    // pseudo-terminal would stay exclusive after a program that was killed, until its other end is closed.
     if (flock(file_, LOCK_EX | LOCK_NB) != 0) refuse(errno);
-    ioctl(file_, TIOCEXCL);
+    if (!is_pseudo_terminal_) ioctl(file_, TIOCEXCL);
 
     termios settings{};
     if (tcgetattr(file_, &settings) != 0) refuse(errno);
@@ -88,7 +93,7 @@ Port::Port(const std::filesystem::path& path, std::uint32_t baud) : name_(printa
 
 Port::~Port() {
     if (file_ < 0) return;
-    ioctl(file_, TIOCNXCL);
+    if (!is_pseudo_terminal_) ioctl(file_, TIOCNXCL);
     close(file_);
 }
 

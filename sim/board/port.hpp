@@ -21,10 +21,13 @@ public:
     Moved exchange(std::span<const std::uint8_t> out, std::span<std::uint8_t> in, LinkTime most) override;
     LinkTime now() override;
     const std::string& name() const { return name_; }
+    /// True if a program is at the other end, and not a cable. A board behind it may be simulated.
+    bool is_pseudo_terminal() const { return is_pseudo_terminal_; }
 
 private:
     std::string name_;
     int file_ = -1;
+    bool is_pseudo_terminal_ = false;
 };
 
 /// Returns the sentence for a port that cannot be opened, from the error number of the system.

@@ -48,6 +48,10 @@ SimulatedBoard::SimulatedBoard(const Config& config, const BoardShape& shape)
       shift_rst_(rtl_, "shift_rst"),
       pins_(rtl_) {
     pins_.set_dq(0);
+    reset();
+}
+
+void SimulatedBoard::reset() {
     rx_ = 1, pixel_clk_ = 0, shift_clk_ = 0, pixel_rst_ = 0, shift_rst_ = 0;
     for (int i = 0; i < 10; ++i) {   // the video's registers see the reset
         pixel_clk_ = 1, shift_clk_ = 1;

@@ -39,6 +39,9 @@ public:
 
     /// One cycle of the chip.
     void step();
+    /// Presses the reset button: all registers of the board with a reset. The SDRAM and the screen notice
+    /// only what follows at their pins.
+    void reset();
     /// Simulates until the screen has shown that many more whole pictures. Reports its progress in cycles.
     void watch(std::uint64_t pictures, const Progress& progress = {});
 

@@ -1,12 +1,17 @@
-// Frames on the simulated board, from the host's wire to memory and screen, compared with the model's.
+// Frames on the simulated board, from the host's wire to memory and screen, compared with the model's. Faults
+// of the whole board: a reset in the middle of a frame, and a memory without refreshes.
+#include <fstream>
+
 #include <catch2/catch.hpp>
 
 #include "sim/board/host.hpp"
 #include "sim/board/simulated_board.hpp"
 #include "sim/files/image/srgb.hpp"
+#include "sim/files/scratch.hpp"
 #include "sim/run/film/choice.hpp"
 #include "sim/run/frame/frame.hpp"
 #include "sim/run/request/request.hpp"
+#include "sim/run/rtl/sources.hpp"
 #include "tests/support/machine/frames.hpp"
 
 namespace rayclock::test::simulated_board_test {
@@ -194,6 +199,78 @@ void require_equal_frames(const Setting& s, int frames) {
     CHECK(watched.board.sdram().violations().empty());
 }
 
+/// A frame as the model draws it.
+struct ModelFrame {
+    explicit ModelFrame(const Setting& s) {
+        Request request = request_of(s.scene, s.config, {}, 1, s.size, {});
+        Film film(std::move(request), {}, false, s.size);
+        film.next();
+        job = film.job();
+        recorded.push_back(film.record(0, {}));
+        timing = replay(job.config, s.khz, recorded)[0];
+        pixels = bytes_of_frame(job, recorded[0].trace);
+    }
+    Job job;
+    std::vector<RecordedFrame> recorded;
+    FrameTiming timing;
+    std::vector<Bytes> pixels;
+};
+
+LinkSettings settings_of(const Setting& s) {
+    LinkSettings settings;
+    settings.baud = shape_of(s).baud;
+    settings.hello = 1;
+    return settings;
+}
+
+/// The channel of a board whose reset button is pressed once, in the middle of a frame.
+class ResetBoard : public Channel {
+public:
+    ResetBoard(SimulatedBoard& board, std::uint64_t at) : board_(board), at_(at) {}
+
+    Moved exchange(std::span<const std::uint8_t> out, std::span<std::uint8_t> in, LinkTime most) override {
+        const Moved moved = board_.exchange(out, in, std::min(most, LinkTime(1)));
+        const bool runs = board_.leds() >> 2 & 1;
+        if (runs && begin_ == 0) begin_ = board_.cycle();
+        if (runs && !is_reset && board_.cycle() - begin_ >= at_) {
+            board_.reset();
+            is_reset = true;
+        }
+        return moved;
+    }
+    LinkTime now() override { return board_.now(); }
+
+    bool is_reset = false;
+
+private:
+    SimulatedBoard& board_;
+    std::uint64_t at_, begin_ = 0;
+};
+
+/// Builds the RTL with a module in which one text is replaced by another.
+class ChangedModule {
+public:
+    ChangedModule(const std::string& name, const std::string& old, const std::string& fresh)
+        : folder_("rayclock-changed") {
+        std::string text = module_text(name);
+        const std::size_t at = text.find(old);
+        REQUIRE(at != std::string::npos);
+        REQUIRE(text.find(old, at + 1) == std::string::npos);
+        const std::filesystem::path file = folder_.path() / "module.sv";
+        std::ofstream(file) << text.replace(at, old.size(), fresh);
+        replace_module(name, file);
+    }
+    ~ChangedModule() { restore_modules(); }
+    ChangedModule(const ChangedModule&) = delete;
+
+private:
+    TemporaryFolder folder_;
+};
+/// A refresh comes every 4 ms in place of every 7.8 us, so a row is refreshed after half a minute.
+struct StarvedRefresh : ChangedModule {
+    StarvedRefresh() : ChangedModule("board_memory", ".RefiPs(RefiPs)", ".RefiPs(32'd4_000_000_000)") {}
+};
+
 ConfigChoice camera_chip() { return {"ulx3s", {"dram=board", "scan_out=1", "pixel_writes=1"}}; }
 
 }   // namespace
@@ -204,6 +281,8 @@ TEST_CASE("the rtl of the simulated board is built", "[.build]") {
     BoardShape plain = shape_of({});
     plain.gates_clock = false;
     const SimulatedBoard board(load_config(camera_chip()), plain);
+    const StarvedRefresh starved;
+    const SimulatedBoard another(load_config(camera_chip()), shape_of({}));
     SUCCEED("all are there");
 }
 
@@ -243,6 +322,63 @@ TEST_CASE("a frame that does not end in time is reported in one sentence", "[sim
     Frame frame;
     frame.width = 16, frame.height = 12;
     CHECK_THROWS_WITH(host.run(frame, LinkTime(1000)), "the board hangs: the frame has not ended after 1 ms");
+}
+
+TEST_CASE("a reset in the middle of a frame is reported, and the next frame is the model's", "[simulated]") {
+    const Setting s{.config = camera_chip(), .depth = 0};
+    const ModelFrame model(s);
+    SimulatedBoard board(model.job.config, shape_of(s));
+    for (const std::uint64_t at : {std::uint64_t(1), model.timing.cycles / 2, model.timing.cycles - 200}) {
+        INFO("reset after " << at << " of " << model.timing.cycles << " cycles");
+        ResetBoard channel(board, at);
+        BoardLink link(channel, settings_of(s));
+        BoardHost host(link, model.job.config, sdram_part(s.sdram));
+        std::uint64_t done = 0;
+        host.load(model.job.image, done);
+        CHECK_THROWS_AS(host.run(model.job.frame, LinkTime(1'000'000)), BoardReset);
+        REQUIRE(channel.is_reset);
+        // The old session is over, and no result of the frame that was cut off is left.
+        CHECK_THROWS_AS(host.accounts(), BoardReset);
+        BoardLink next_link(board, settings_of(s));
+        BoardHost next(next_link, model.job.config, sdram_part(s.sdram));
+        CHECK_THROWS_WITH(next.picture(), Catch::Contains("has not drawn a frame"));
+        CHECK_THROWS_WITH(next.timing(), Catch::Contains("has not drawn a frame"));
+        CHECK_THROWS_WITH(next.draw(LinkTime(1'000'000)), Catch::Contains("no scene was loaded"));
+
+        done = 0;
+        next.load(model.job.image, done);
+        const BoardFrame frame = next.run(model.job.frame, LinkTime(1'000'000));
+        CHECK(frame.cycles == model.timing.cycles);
+        CHECK(frame.underruns == 0);
+        CHECK(frame.pixels == model.pixels);
+        require_counters(model.job.config, model.timing.accounts, frame.accounts);
+    }
+    CHECK(board.sdram().violations().empty());
+}
+
+TEST_CASE("a memory whose refreshes are starved is reported", "[simulated]") {
+    const Setting s{.config = camera_chip(), .depth = 0};
+    const StarvedRefresh starved;
+    const ModelFrame model(s);
+    SimulatedBoard board(model.job.config, shape_of(s));
+    BoardLink link(board, settings_of(s));
+    BoardHost host(link, model.job.config, sdram_part(s.sdram));
+    std::uint64_t done = 0;
+    host.load(model.job.image, done);
+    const auto reported = [&](SdramFault fault) {
+        std::size_t count = 0;
+        for (const SdramChip::Violation& v : board.sdram().violations()) count += v.fault == fault;
+        return count;
+    };
+    CHECK(reported(SdramFault::retention) == 0);
+    for (int ms = 0; ms < 64; ++ms)
+        for (int i = 0; i < s.khz; ++i) board.step();
+    // A refresh also closes the rows, so some are open for too long now.
+    CHECK(reported(SdramFault::retention) == 1);
+    CHECK(reported(SdramFault::retention) + reported(SdramFault::tras_longest) ==
+          board.sdram().violations().size());
+    // The cycles show it too: the model's refreshes cost some.
+    CHECK(host.run(model.job.frame, LinkTime(1'000'000)).cycles != model.timing.cycles);
 }
 
 TEST_CASE("the smaller SDRAM has the rows of its model", "[simulated][slow]") {

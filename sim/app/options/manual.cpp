@@ -114,7 +114,8 @@ std::vector<std::string> values_of(const OptionText& o) {
     if (name == "--engine") values = {"model", "rtl", "reference"};
     if (name == "--set" || name == "--axis")
         for (const Parameter& p : parameters()) values.push_back(std::string(p.key) + "=");
-    if (name == "SCENE")
+    if (name == "ACTION") values = {"check", "load", "run", "read", "counters", "serve"};
+    if (name == "SCENE" || name == "ACTION")   // the scene may take an action's place
         for (const Builtin& builtin : builtins()) values.emplace_back(builtin.name);
     return values;
 }
@@ -129,8 +130,8 @@ std::string bash_completion(const std::vector<CommandText>& commands) {
         options += fmt::format("    {}) options='{}' ;;\n", c.label(), own);
         for (const OptionText& o : c.options)
             if (const auto known = values_of(o); !known.empty())
-                values +=
-                    fmt::format("    {}:{}) values='{}' ;;\n", c.label(), o.names.back(), joined(known));
+                values += fmt::format("    {}:{}) values='{}' ;;\n", c.label(),
+                                      o.is_word ? "SCENE" : o.names.back(), joined(known));
     }
     return fmt::format(R"(# Completion of rayclock for bash, made by: rayclock --print bash
 _rayclock() {{
@@ -185,7 +186,9 @@ std::string zsh_completion(const std::vector<CommandText>& commands) {
         for (const OptionText& o : c.options) {
             const auto known = values_of(o);
             if (o.is_word) {
-                const std::string either = known.empty() ? "_files" : "_rayclock_scenes";
+                const std::string either = known.empty()           ? "_files"
+                                           : o.names[0] == "SCENE" ? "_rayclock_scenes"
+                                                                   : "(" + joined(known) + ")";
                 cases += " \\\n        " + single_quoted(":" + plain(o.names[0]) + ":" + either);
             }
             for (const std::string& name : o.names) {

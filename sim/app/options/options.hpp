@@ -57,6 +57,9 @@ std::uint64_t parse_rays(const std::string& text);
 double parse_percent(const std::string& option, const std::string& typed, bool zero);
 /// Parses "320%". Throws UserError unless it is a percentage of at least 0.
 double parse_any_percent(const std::string& option, const std::string& typed);
+/// Parses "0:16", the number of the first line of memory and the number of lines, for --lines. Throws
+/// UserError unless there is at least one.
+std::pair<std::uint64_t, std::uint64_t> parse_lines(const std::string& text);
 /// Throws UserError unless --min-psnr is above 0 and at most 200.
 void check_psnr(const std::optional<double>& psnr);
 

@@ -131,6 +131,22 @@ double parse_any_percent(const std::string& option, const std::string& typed) {
     return value;
 }
 
+std::pair<std::uint64_t, std::uint64_t> parse_lines(const std::string& text) {
+    const auto number = [&](std::string_view word) {
+        std::uint64_t value = 0;
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+        if (error != std::errc() || end != word.data() + word.size())
+            throw UserError("--lines: " + shown(text) + " is not FIRST:COUNT, such as 0:16");
+        return value;
+    };
+    const std::size_t colon = text.find(':');
+    const std::uint64_t first = number(std::string_view(text).substr(0, colon));
+    const std::uint64_t count =
+        colon == text.npos ? number({}) : number(std::string_view(text).substr(colon + 1));
+    if (count == 0) throw UserError("--lines: " + shown(text) + " has no lines");
+    return {first, count};
+}
+
 void check_psnr(const std::optional<double>& psnr) {
     if (psnr && !(*psnr > 0 && *psnr <= 200))
         throw UserError(fmt::format("--min-psnr must lie above 0 and not above 200 dB, not {}", *psnr));

@@ -32,7 +32,7 @@ struct Options {
     std::string scene, size = default_size, clocks = default_clocks, rays = "1e6", bits = "12:20:2",
                        max_error = "0.1%", max_work = "0%", max_other = "1%";
     std::vector<std::string> axes;
-    std::optional<std::string> shard;
+    std::optional<std::string> shard, lines;
     std::optional<double> min_psnr;
     ConfigChoice config;
     Finish finish;
@@ -60,6 +60,7 @@ void declare(Parser& parser, Options& o) {
     json_option(parser, o.json);
     parser.option("--axis", o.axes, "");
     parser.option("--shard", o.shard, "");
+    parser.option("--lines", o.lines, "");
     parser.option("--rays", o.rays, "");
     parser.option("--bits", o.bits, "");
     parser.option("--max-error", o.max_error, "");
@@ -100,6 +101,9 @@ int read_options(const Options& o) {
         if (!o.shard) return;
         const sweep::Shard shard = sweep::parse_shard(*o.shard);
         fuzz::demand(1 <= shard.part && shard.part <= shard.of, "a part is one of its parts");
+    });
+    read([&] {
+        if (o.lines) fuzz::demand(parse_lines(*o.lines).second > 0, "there is a line");
     });
     read([&] { parse_values("--bits", o.bits); });
     read([&] { fuzz::demand(parse_rays(o.rays) >= 1, "there is a ray"); });
