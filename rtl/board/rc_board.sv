@@ -8,8 +8,8 @@
 // shift_clk_i five times its frequency, both from the same source as clk_i. Two pictures lie at
 // the memory's end. The host selects the one to draw (draw_base) and the one to show (base).
 //
-// The SDRAM's clock is clk_i shifted by half a period. Read data need more than the other half to
-// reach the input registers, so ReadDelay is 1.
+// The SDRAM's clock is clk_i, three quarters of a period later. Read data do not reach the input
+// registers within the last quarter, so ReadDelay is 1.
 //
 // docs/machine/board.md describes the board, model/board/board_memory.hpp is the model of its
 // timing, sim/board/simulated_board.hpp simulates it, and rtl/ecp5/rc_ulx3s.v adds PLL and pins.

@@ -17,8 +17,8 @@
 // ps, and the module computes clocks from them, rounded up. model/board/sdram.hpp is the model.
 //
 // ReadDelay is the number of clocks by which read data reach the input registers late. It is 0 if
-// the SDRAM's clock is inverted and its data arrive within the rest of the period. It is 1 if they
-// need a period more, or if the SDRAM's clock is in phase.
+// the SDRAM's clock lags by a part of a period and its data arrive within the rest of the period.
+// It is 1 if they need a period more, or if the SDRAM's clock is in phase.
 `default_nettype none
 module rc_sdram #(
   parameter  int unsigned ClkKhz     = 75_000,

@@ -2,9 +2,9 @@
 // is for synthesis only; ulx3s.lpf has its pins. Ports carry the names of the board's schematic.
 //
 // One PLL makes all clocks from 25 MHz: the chip's clock, 125 MHz and 25 MHz for the screen, and
-// the SDRAM's clock, which lags the chip's by half a period. CLK_KHZ is 75000 (VCO 750 MHz) or
-// 62500 (625 MHz). ReadDelay of rc_board is 1: read data take more than half a period from the
-// SDRAM's clock to the input register.
+// the SDRAM's clock, which lags the chip's by three quarters of a period. CLK_KHZ is 75000 (VCO 750
+// MHz) or 62500 (625 MHz). ReadDelay of rc_board is 1: the input registers capture data 1 1/4
+// periods after the edge of the SDRAM's clock. docs/machine/board.md has the margins at the pins.
 `default_nettype none
 module rc_ulx3s #(
   parameter integer CLK_KHZ     = 75000,
@@ -56,8 +56,8 @@ module rc_ulx3s #(
     .CLKOP_ENABLE("ENABLED"), .CLKOP_DIV(CHIP_DIV), .CLKOP_CPHASE(5), .CLKOP_FPHASE(0),
     .CLKOS_ENABLE("ENABLED"), .CLKOS_DIV(BIT_DIV), .CLKOS_CPHASE(5), .CLKOS_FPHASE(0),
     .CLKOS2_ENABLE("ENABLED"), .CLKOS2_DIV(DOT_DIV), .CLKOS2_CPHASE(5), .CLKOS2_FPHASE(0),
-    .CLKOS3_ENABLE("ENABLED"), .CLKOS3_DIV(CHIP_DIV), .CLKOS3_CPHASE(5 + CHIP_DIV / 2),
-    .CLKOS3_FPHASE(0)
+    // Later than CLKOP by 7 4/8 periods of the VCO, of 10.
+    .CLKOS3_ENABLE("ENABLED"), .CLKOS3_DIV(CHIP_DIV), .CLKOS3_CPHASE(12), .CLKOS3_FPHASE(4)
   ) u_pll (
     .RST(1'b0), .STDBY(1'b0), .CLKI(clk_25mhz), .CLKFB(clk),
     .CLKOP(clk), .CLKOS(shift_clk), .CLKOS2(pixel_clk), .CLKOS3(memory_clk), .LOCK(locked),
