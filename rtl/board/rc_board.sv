@@ -47,6 +47,7 @@ module rc_board #(
   output logic [1:0]  sd_dqm_o,
   output logic [15:0] sd_dq_o,
   output logic        sd_dq_oe_o,
+  output logic        sd_dq_oe_next_o,              // in the next cycle, for registers at the pins
   input  logic [15:0] sd_dq_i,
   // Screen: pairs of bits for blue, green, red and clock, blue lowest
   output logic [7:0]  tmds_o,
@@ -195,7 +196,7 @@ module rc_board #(
     .host_req_write_i(host_req_write), .host_req_addr_i(host_req_addr), .host_next_o(host_next),
     .host_wr_data_i(host_wr_data), .host_rd_valid_o(host_rd_valid), .host_rd_data_o(host_rd_data),
     .sd_cke_o, .sd_cs_no, .sd_ras_no, .sd_cas_no, .sd_we_no, .sd_ba_o, .sd_a_o, .sd_dqm_o, .sd_dq_o,
-    .sd_dq_oe_o, .sd_dq_i);
+    .sd_dq_oe_o, .sd_dq_oe_next_o, .sd_dq_i);
 
   // ---- LEDs: memory ready, armed, frame runs, frame done, underruns, queue of the video failed,
   // RX, TX.

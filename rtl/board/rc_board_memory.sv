@@ -82,6 +82,7 @@ module rc_board_memory #(
   output logic [1:0]       sd_dqm_o,
   output logic [15:0]      sd_dq_o,
   output logic             sd_dq_oe_o,
+  output logic             sd_dq_oe_next_o,
   input  logic [15:0]      sd_dq_i
 );
   localparam int unsigned LineBits = 512;
@@ -182,7 +183,7 @@ module rc_board_memory #(
     .wr_next_o(wr_next), .wr_tag_o(wr_tag), .wr_data_i(wr_data), .wr_mask_i(wr_mask),
     .rd_valid_o(rd_valid), .rd_last_o(rd_last), .rd_tag_o(rd_tag), .rd_data_o(rd_data),
     .sd_cke_o, .sd_cs_no, .sd_ras_no, .sd_cas_no, .sd_we_no, .sd_ba_o, .sd_a_o, .sd_dqm_o,
-    .sd_dq_o, .sd_dq_oe_o, .sd_dq_i);
+    .sd_dq_o, .sd_dq_oe_o, .sd_dq_oe_next_o, .sd_dq_i);
 
   assign wr_client   = wr_tag[TagW-1 -: 2];
   assign pix_next_o  = wr_next && wr_client == OfPix;

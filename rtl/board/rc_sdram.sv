@@ -73,6 +73,7 @@ module rc_sdram #(
   output logic [1:0]       sd_dqm_o,
   output logic [15:0]      sd_dq_o,
   output logic             sd_dq_oe_o,
+  output logic             sd_dq_oe_next_o,   // sd_dq_oe_o in the next cycle
   input  logic [15:0]      sd_dq_i
 );
   // ---- Gates in clocks. The shorter bound of the period makes gates longer, the longer bound
@@ -342,9 +343,10 @@ module rc_sdram #(
   assign beats_tag = beats_busy ? beats_tag_q : cur_tag_q;
   assign wr_next_o = beats_busy ? beats_write_q : col_fires && cur_write_q;
   assign wr_tag_o  = beats_tag;
+  assign sd_dq_oe_next_o = rst_ni && wr_next_o;
 
   always_ff @(posedge clk_i) begin
-    sd_dq_oe_o <= rst_ni && wr_next_o;
+    sd_dq_oe_o <= sd_dq_oe_next_o;
     sd_dq_o    <= wr_data_i;
     sd_dqm_o   <= !rst_ni || !run_q ? '1 : wr_next_o ? wr_mask_i : '0;
   end

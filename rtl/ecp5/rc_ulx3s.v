@@ -87,7 +87,8 @@ module rc_ulx3s #(
 
   // ---- The board.
   wire [15:0] dq_out, dq_in;
-  wire        dq_oe;
+  wire        dq_oe_next;
+  wire [15:0] dq_off;
   wire [7:0]  tmds;
 
   rc_board #(
@@ -99,16 +100,22 @@ module rc_ulx3s #(
     .rx_i(ftdi_txd), .tx_o(ftdi_rxd),
     .sd_cke_o(sdram_cke), .sd_cs_no(sdram_csn), .sd_ras_no(sdram_rasn), .sd_cas_no(sdram_casn),
     .sd_we_no(sdram_wen), .sd_ba_o(sdram_ba), .sd_a_o(sdram_a), .sd_dqm_o(sdram_dqm),
-    .sd_dq_o(dq_out), .sd_dq_oe_o(dq_oe), .sd_dq_i(dq_in),
+    .sd_dq_o(dq_out), .sd_dq_oe_o(), .sd_dq_oe_next_o(dq_oe_next),
+    .sd_dq_i(dq_in),
     .tmds_o(tmds), .led_o(led));
 
   assign wifi_gpio0 = 1'b1;
 
-  // ---- Cells at the pins.
+  // ---- Cells at the pins. Each data pin has a register of its own that disables it. rayclock chip
+  // moves the other registers of the SDRAM into the cells of their pins.
   genvar i;
   generate
     for (i = 0; i < 16; i = i + 1) begin : gen_dq
-      BB u_dq (.I(dq_out[i]), .T(!dq_oe), .O(dq_in[i]), .B(sdram_d[i]));
+      (* syn_useioff, ioff_dir = "output" *)
+      TRELLIS_FF #(
+        .GSR("DISABLED"), .CEMUX("1"), .CLKMUX("CLK"), .LSRMUX("LSR"), .REGSET("SET")
+      ) u_off (.CLK(clk), .LSR(1'b0), .DI(!dq_oe_next), .Q(dq_off[i]));
+      BB u_dq (.I(dq_out[i]), .T(dq_off[i]), .O(dq_in[i]), .B(sdram_d[i]));
     end
     for (i = 0; i < 4; i = i + 1) begin : gen_tmds
       ODDRX1F u_ddr (.D0(tmds[2*i]), .D1(tmds[2*i+1]), .SCLK(shift_clk), .RST(1'b0), .Q(gpdi_dp[i]));
