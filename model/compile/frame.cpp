@@ -51,6 +51,16 @@ Vec3l fixed(const glm::dvec3& v, double scale) {
 }   // namespace
 
 Frame make_frame(const Camera& camera, FrameSize size, const Lattice& lattice, const Config& config) {
+    if (camera.window) {   // the rays of the whole picture, from the window's first pixel on
+        Camera whole = camera;
+        whole.window.reset();
+        Frame frame = make_frame(whole, whole_size(camera, size), lattice, config);
+        for (int k = 0; k < 3; ++k)
+            frame.corner[k] += camera.window->x * frame.right[k] + camera.window->y * frame.down[k];
+        frame.width = std::uint32_t(size.width);
+        frame.height = std::uint32_t(size.height);
+        return frame;
+    }
     const auto need = int(std::bit_width(unsigned(std::max(size.width, size.height) - 1)));
     if (need > config.pixel_bits)
         throw UserError("a picture of " + std::to_string(size.width) + " x " + std::to_string(size.height) +

@@ -12,6 +12,7 @@
 #include "model/compile/emit.hpp"
 #include "model/compile/plane.hpp"
 #include "model/layout/words.hpp"
+#include "model/scene/camera.hpp"
 
 namespace rayclock {
 
@@ -181,7 +182,8 @@ std::vector<std::uint32_t> write_textures(const Scene& scene, const Lattice& lat
 }
 
 std::int32_t spread_of(const Camera& camera, std::uint32_t height, int samples_per_side) {
-    const double spread = sample_spread(camera.fov_degrees, int(height), samples_per_side);
+    const FrameSize whole = whole_size(camera, {0, int(height)});
+    const double spread = sample_spread(camera.fov_degrees, whole.height, samples_per_side);
     return level_number(std::log2(spread) - length_bias);
 }
 

@@ -125,14 +125,17 @@ View view_of(const Camera& camera, const std::string& where) {
 }
 
 PixelRays pixel_rays(const Camera& camera, FrameSize size) {
+    const FrameSize whole = whole_size(camera, size);
     check_frame_size(size);
+    check_frame_size(whole);
     const View view = view_of(camera, "camera");
-    const double spacing = 2 * view.half_height / size.height;
+    const double spacing = 2 * view.half_height / whole.height;
     PixelRays rays;
     rays.eye = camera.eye;
     rays.right = spacing * view.right;
     rays.down = -spacing * view.up;
-    rays.corner = view.forward - 0.5 * (size.width - 1) * rays.right - 0.5 * (size.height - 1) * rays.down;
+    rays.corner = view.forward - 0.5 * (whole.width - 1) * rays.right - 0.5 * (whole.height - 1) * rays.down;
+    if (camera.window) rays.corner = rays.direction(camera.window->x, camera.window->y);
     return rays;
 }
 

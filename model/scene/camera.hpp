@@ -14,6 +14,11 @@ struct FrameSize {
 };
 constexpr int max_frame_side = 16384;
 
+/// Returns the size of the whole picture if the camera has a window, otherwise `size`.
+inline FrameSize whole_size(const Camera& camera, FrameSize size) {
+    return camera.window ? FrameSize{camera.window->whole_width, camera.window->whole_height} : size;
+}
+
 /// Throws UserError unless both sides lie in 1..max_frame_side.
 void check_frame_size(FrameSize size);
 
@@ -27,7 +32,8 @@ struct PixelRays {
 };
 
 /// Returns the map of a camera: w = unit(at - eye), r = unit(w x up), v = r x w; half height tan(fov / 2),
-/// square pixels (as in Haines' SPD, with the angle measured to the picture's edges). Throws UserError if the
+/// square pixels (as in Haines' SPD, with the angle measured to the picture's edges). If the camera has a
+/// window, the map is that of the whole picture, and pixel (0, 0) is the window's. Throws UserError if the
 /// camera or the size is not valid.
 PixelRays pixel_rays(const Camera& camera, FrameSize size);
 

@@ -44,6 +44,13 @@ struct Light {
     glm::dvec3 colour{1};
 };
 
+/// A part of a picture: the pixel of the whole at its top left, and the size of the whole.
+struct PictureWindow {
+    int x = 0, y = 0;
+    int whole_width = 0, whole_height = 0;
+    friend bool operator==(const PictureWindow&, const PictureWindow&) = default;
+};
+
 /// Pin-hole camera. `fov_degrees` is the full vertical angle between the top and bottom edges of the picture.
 /// A pixel is square, so the horizontal angle follows from the picture's aspect.
 struct Camera {
@@ -51,6 +58,8 @@ struct Camera {
     glm::dvec3 at{0};
     glm::dvec3 up{0, 1, 0};
     double fov_degrees = 45;
+    /// If given, the picture is a part of a larger one, and the other members describe the whole.
+    std::optional<PictureWindow> window{};
 };
 
 /// Three indices into Scene::vertices, counter-clockwise seen from outside, and one into materials.

@@ -36,6 +36,7 @@ struct SimulateOptions {
     ConfigChoice config;
     Finish finish;
     ViewChoice view;
+    std::optional<std::string> pixels;   // a part of the picture
     FramesOptions frames;
     TrafficOptions traffic;
     StreamChoice stream;
@@ -62,6 +63,7 @@ void declare_simulate(Parser& parser, SimulateOptions& o) {
     finished_options(parser, o.finish);
     view_options(parser, o.view);
     size_option(parser, o.size);
+    pixels_option(parser, o.pixels);
     clock_option(parser, o.clock);
     config_options(parser, o.config);
     parser.option("--engine", o.engine, "model or rtl").with_default();
@@ -193,12 +195,13 @@ void check_sample_options(const SimulateOptions& o) {
 int run_simulate_sample(const SimulateOptions& o) {
     const Stopwatch watch;
     check_sample_options(o);
-    const FrameSize size = parse_size(o.size);
+    ViewChoice view = o.view;
+    const FrameSize size = parse_part(o.size, o.pixels, view);
     check_clocks(o.clock);
     const Traffic traffic = traffic_of(o.traffic);
     o.json.check();
     const Progress progress = stopping(terminal_progress());
-    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress, o.view);
+    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress, view);
     if (moves(request.scene))
         throw UserError("--sample: " + printable(o.scene) + " moves, and a film is simulated as a whole");
     const std::vector<int> clocks = clocks_of(o.clock, request.config);
@@ -230,13 +233,15 @@ int run_simulate(const SimulateOptions& o) {
                                  o.frames,
                                  o.limits,
                                  {{!o.output.empty(), "--output"},
+                                  {o.pixels.has_value(), "--pixels"},
                                   {o.engine != "model", "--engine"},
                                   {!o.report.empty(), "--report"},
                                   {o.no_reference, "--no-reference"}}}))
         return simulate_stream(
             {o.scene, o.clock, o.config, o.stream, o.traffic, o.no_judge, o.threads, o.json});
     const Stopwatch watch;
-    const FrameSize size = parse_size(o.size);
+    ViewChoice view = o.view;
+    const FrameSize size = parse_part(o.size, o.pixels, view);
     check_clocks(o.clock);
     if (o.engine != "model" && o.engine != "rtl")
         throw UserError("--engine: " + shown(o.engine) + " is not model or rtl");
@@ -250,7 +255,7 @@ int run_simulate(const SimulateOptions& o) {
     }
     const Progress progress = terminal_progress();
     const Progress stop = stopping(progress);
-    Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stop, o.view);
+    Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stop, view);
     const Config config = request.config;
     if (o.engine == "rtl") check_rtl(config);
     const std::vector<int> clocks = clocks_of(o.clock, config);

@@ -41,6 +41,7 @@ struct VerifyOptions {
     ConfigChoice config;
     Finish finish;
     ViewChoice view;
+    std::optional<std::string> pixels;   // a part of the picture
     FramesOptions frames;
     TrafficOptions traffic;
     StreamChoice stream;
@@ -62,6 +63,7 @@ void declare_verify(Parser& parser, VerifyOptions& o) {
     finished_options(parser, o.finish);
     view_options(parser, o.view);
     size_option(parser, o.size);
+    pixels_option(parser, o.pixels);
     parser.option("--clock", o.clock, "clock rate in MHz; of several, the first").with_default();
     config_options(parser, o.config);
     frames_options(parser, o.frames);
@@ -236,7 +238,7 @@ void compare_machines(VerifyResult& v, const VerifyOptions& o, const VerifyPlan&
             judge_finished(inputs, v.job.image, work.request().settings,
                            {p.reference.frame, drawn(work, judged), given}, judged.hits, o.threads, progress);
     if (v.judgement) v.difference = cause_picture(p.reference.picture, *v.judgement);
-    if (!work.request().finished && !o.view.is_given())
+    if (!work.request().finished && !o.view.is_given() && !o.pixels)
         v.golden = golden_result(o.scene, scene, work.request().config);
 }
 
@@ -318,6 +320,7 @@ int run_verify(const VerifyOptions& typed) {
                               : !o.output.empty()    ? "--output"
                               : o.no_wave            ? "--no-wave"
                               : o.frames.is_given()  ? "an option of films"
+                              : o.pixels             ? "--pixels"
                               : o.traffic.jitter > 0 ? "--jitter"
                               : o.traffic.stall > 0  ? "--stall"
                                                      : nullptr);
@@ -330,7 +333,8 @@ int run_verify(const VerifyOptions& typed) {
                                   {o.torture, "--torture"},
                                   {bool(o.elastic.alone), "--unit-only"},
                                   {o.netlist, "--netlist"},
-                                  {o.no_wave, "--no-wave"}}})) {
+                                  {o.no_wave, "--no-wave"},
+                                  {o.pixels.has_value(), "--pixels"}}})) {
         if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
         return verify_stream({o.scene, o.clock, o.config, o.stream, o.traffic, o.no_judge, o.threads, o.json,
                               o.elastic.units});
@@ -339,14 +343,15 @@ int run_verify(const VerifyOptions& typed) {
     if (o.torture) return run_torture_set(o.json);
     if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
     const Stopwatch watch;
-    const FrameSize size = parse_size(o.size);
+    ViewChoice view = o.view;
+    const FrameSize size = parse_part(o.size, o.pixels, view);
     const std::vector<int> clocks = parse_clocks(o.clock);
     const Traffic traffic = traffic_of(o.traffic);
     o.json.check();
     const Limits limits = limits_of(o.limits);
     const Progress progress = terminal_progress();
     const Progress stop = stopping(progress);
-    Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stop, o.view);
+    Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stop, view);
     const Config config = request.config;
     check_rtl(config);
     if (o.elastic.is_given()) parse_free_units(*o.elastic.units, config);   // refuses a wrong list early

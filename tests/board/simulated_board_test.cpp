@@ -31,6 +31,7 @@ struct Setting {
     std::string sdram = "as4c32m16sb";
     bool is_lit = false;
     int depth = 1;
+    bool gates_clock = true;
 };
 
 BoardShape shape_of(const Setting& s) {
@@ -38,7 +39,8 @@ BoardShape shape_of(const Setting& s) {
             .baud = std::uint32_t(s.khz) * 200,
             .sdram = s.sdram,
             .initial_wait_us = 5,
-            .is_lit = s.is_lit};
+            .is_lit = s.is_lit,
+            .gates_clock = s.gates_clock};
 }
 
 /// The channel of a board that also follows its beam: the LEDs must show cycle 0 at the model's distance from
@@ -379,6 +381,18 @@ TEST_CASE("a memory whose refreshes are starved is reported", "[simulated]") {
           board.sdram().violations().size());
     // The cycles show it too: the model's refreshes cost some.
     CHECK(host.run(model.job.frame, LinkTime(1'000'000)).cycles != model.timing.cycles);
+}
+
+// The test gate:board runs this case with Yosys's netlist of the whole board.
+TEST_CASE("a frame of a small chip on a board without a clock gate is the model's", "[simulated][slow]") {
+    require_equal_frames({.config = {"small", {"dram=board", "scan_out=1", "pixel_writes=1"}},
+                          .scene = "tetra:1",
+                          .size = {8, 6},
+                          .khz = 25'000,
+                          .is_lit = true,
+                          .depth = 0,
+                          .gates_clock = false},
+                         2);
 }
 
 TEST_CASE("the smaller SDRAM has the rows of its model", "[simulated][slow]") {

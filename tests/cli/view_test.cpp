@@ -87,4 +87,18 @@ TEST_CASE("views that make no sense") {
     refused({"--fov", "180"}, {"--fov", "180"});
     refused({"--orbit", "400"}, {"--orbit", "-360..360", "400"});
     refused({"--eye", "1,1,1", "--at", "1,1,1"}, {"eye", "are the same"});
+    for (const char* pixels :
+         {"1,2", "1,2,3", "a,0,4x4", "0,0,4x", "0,0,4x4x4", "0,0,4x4,5", "99999999999,0,4x4"})
+        refused({"--pixels", pixels}, {"--pixels", pixels, "COLUMN,ROW,WIDTHxHEIGHT"});
+    for (const char* pixels :
+         {"-1,0,4x4", "0,-1,4x4", "0,0,0x4", "0,0,4x0", "0,0,25x4", "21,0,4x4", "0,15,4x4"})
+        refused({"--size", "24x18", "--pixels", pixels}, {"--pixels", pixels, "does not lie in", "24x18"});
+}
+
+TEST_CASE("a part of a picture has its rays, and the report says which part it is") {
+    const json part = simulated({"--pixels", "18,10,12x9"});
+    CHECK(part["frame"]["width"] == 12);
+    CHECK(part["frame"]["height"] == 9);
+    CHECK(part["camera"]["window"] == json{{"x", 18}, {"y", 10}, {"whole_width", 32}, {"whole_height", 24}});
+    CHECK(simulated({})["camera"]["window"].is_null());
 }

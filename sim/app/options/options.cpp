@@ -22,6 +22,13 @@ void size_option(Parser& parser, std::string& size) {
     parser.option("--size", size, "size of the picture, WIDTHxHEIGHT").with_default();
 }
 
+void pixels_option(Parser& parser, std::optional<std::string>& pixels) {
+    parser.option(
+        "--pixels", pixels,
+        "draw only this part of the picture, COLUMN,ROW,WIDTHxHEIGHT; the rays are those of the whole "
+        "picture, the caches are cold");
+}
+
 void clock_option(Parser& parser, std::string& clocks) {
     parser
         .option("--clock", clocks,

@@ -45,6 +45,27 @@ std::size_t parse_pixel(const std::string& text, FrameSize size) {
     return std::size_t(y) * std::size_t(size.width) + std::size_t(x);
 }
 
+FrameSize parse_part(const std::string& size, const std::optional<std::string>& pixels, ViewChoice& view) {
+    const FrameSize whole = parse_size(size);
+    if (!pixels) return whole;
+    const std::vector<std::string> parts = split(*pixels, ',');
+    PictureWindow window{0, 0, whole.width, whole.height};
+    FrameSize part;
+    const std::size_t cross = parts.size() == 3 ? parts[2].find('x') : std::string::npos;
+    if (cross == std::string::npos || !parse_whole(parts[0], window.x) || !parse_whole(parts[1], window.y) ||
+        !parse_whole(std::string_view(parts[2]).substr(0, cross), part.width) ||
+        !parse_whole(std::string_view(parts[2]).substr(cross + 1), part.height))
+        throw UserError("--pixels: " + shown(*pixels) +
+                        " is not COLUMN,ROW,WIDTHxHEIGHT, for example 400,300,64x48");
+    const bool is_inside = window.x >= 0 && window.y >= 0 && part.width >= 1 && part.height >= 1 &&
+                           part.width <= whole.width - window.x && part.height <= whole.height - window.y;
+    if (!is_inside)
+        throw UserError(fmt::format("--pixels: {} does not lie in the picture of {}x{} pixels (--size)",
+                                    shown(*pixels), whole.width, whole.height));
+    view.window = window;
+    return part;
+}
+
 std::vector<int> parse_clocks(const std::string& text) {
     std::vector<int> clocks;
     for (const std::string& item : split(text, ',')) {

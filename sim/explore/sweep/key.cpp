@@ -56,6 +56,9 @@ void add(Digest& digest, const Plane& p) {
 void add(Digest& digest, const Camera& camera) {
     for (const glm::dvec3& v : {camera.eye, camera.at, camera.up}) add(digest, v);
     add(digest, camera.fov_degrees);
+    digest.add(camera.window.has_value());
+    if (const auto& w = camera.window)
+        for (const int n : {w->x, w->y, w->whole_width, w->whole_height}) digest.add(std::uint32_t(n));
 }
 void add(Digest& digest, const SharedMesh& mesh);
 void add(Digest& digest, const Instance& instance);

@@ -13,14 +13,19 @@
 namespace rayclock {
 
 CameraBound::CameraBound(const FrameInputs& inputs, const PixelRays& rays)
-    : dir_bits_(inputs.config.dir_bits),
-      pitch_(inputs.lattice.pitch),
-      sides_(double(inputs.frame.width) + inputs.frame.height) {
-    const Frame& frame = inputs.frame;
+    : dir_bits_(inputs.config.dir_bits), pitch_(inputs.lattice.pitch) {
+    // The machine's scale and rounding are those of the whole picture, whose pixel (0, 0) may lie before the
+    // window's.
+    double left = 0, top = 0, width = inputs.frame.width, height = inputs.frame.height;
+    if (const std::optional<PictureWindow>& window = inputs.camera.window) {
+        left = -window->x, top = -window->y;
+        width = window->whole_width, height = window->whole_height;
+    }
+    sides_ = width + height;
     const PixelRays steps{rays.eye, rays.corner / pitch_, rays.right / pitch_, rays.down / pitch_};
     double most = std::max(largest(steps.right), largest(steps.down));
-    for (const double x : {-0.5, frame.width - 0.5})
-        for (const double y : {-0.5, frame.height - 0.5})
+    for (const double x : {left - 0.5, left + width - 0.5})
+        for (const double y : {top - 0.5, top + height - 0.5})
             most = std::max(most, largest(steps.direction(x, y)));
     plane_ = glm::cross(steps.right, steps.down);
     height_ = glm::dot(plane_, steps.corner);

@@ -259,7 +259,9 @@ std::uint32_t path_length(std::uint32_t before, const Vec3i& d, std::uint32_t t,
 
 bool is_spread(const FrameInputs& inputs, int samples_per_side) {
     constexpr double half_degree = 3.14159265358979323846 / 360;
-    const double width = 2 * std::tan(inputs.camera.fov_degrees * half_degree) / inputs.frame.height;
+    const std::optional<PictureWindow>& window = inputs.camera.window;
+    const double height = window ? window->whole_height : int(inputs.frame.height),
+                 width = 2 * std::tan(inputs.camera.fov_degrees * half_degree) / height;
     return is_nearest(inputs.frame.shade.spread, 64 * (std::log2(width / samples_per_side) - 0.057));
 }
 

@@ -402,7 +402,7 @@ glm::dvec3 Tracer::pixel(const PixelRays& rays, std::uint32_t x, std::uint32_t y
 }
 
 double spread_of(const Camera& camera, FrameSize size, const Whitted& settings) {
-    return sample_spread(camera.fov_degrees, size.height, settings.aa);
+    return sample_spread(camera.fov_degrees, whole_size(camera, size).height, settings.aa);
 }
 
 }   // namespace

@@ -89,7 +89,9 @@ Film::Film(Request request, const FramesOptions& options, bool view_is_given, Fr
 }
 
 Camera Film::camera_of(std::size_t f, const std::optional<Camera>& moving) const {
-    return panned(camera_moves_ && moving ? *moving : first_camera_, pan_, int(f));
+    Camera camera = panned(camera_moves_ && moving ? *moving : first_camera_, pan_, int(f));
+    camera.window = first_camera_.window;
+    return camera;
 }
 
 /// Visits all times once, because the lattice must cover all of them.

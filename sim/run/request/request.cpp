@@ -72,8 +72,12 @@ void refuse_stream(const Config& config) {
 
 /// Adds a camera for a picture of this size, and applies the view options.
 void apply_view(Scene& scene, FrameSize size, const ViewChoice& view) {
-    if (!scene.camera) scene.camera = fit_camera(scene, double(size.width) / size.height);
-    if (view.is_given()) scene.camera = chosen_camera(*scene.camera, view, size);
+    Camera part;
+    part.window = view.window;
+    const FrameSize whole = whole_size(part, size);
+    if (!scene.camera) scene.camera = fit_camera(scene, double(whole.width) / whole.height);
+    if (view.is_given()) scene.camera = chosen_camera(*scene.camera, view, whole);
+    scene.camera->window = view.window;
     if (view.material) give_material(scene, *view.material);
     if (view.ground) lay_ground(scene);
 }

@@ -14,6 +14,7 @@ struct ViewChoice {
     bool ground = false;                   ///< lay_ground()
     std::optional<std::string> material;   ///< give_material()
     bool no_textures = false;              ///< draw pictures on surfaces in their average colours
+    std::optional<PictureWindow> window;   ///< draw only this part of the picture
 
     bool is_given() const { return eye || at || fov || orbit; }
 };

@@ -52,7 +52,7 @@ std::string board_parameters(const Config& config, int khz) {
 
 std::string pin_registers() {
     // 13 bits of the address, 2 of the bank, 4 of the command, 2 masks and 16 of data leave; 16 of data
-    // enter. The register that enables the data drives 16 pins, so it stays where it is.
+    // enter.
     return R"(select -set pads w:sdram_a w:sdram_ba w:sdram_csn w:sdram_rasn w:sdram_casn w:sdram_wen w:sdram_dqm w:dq_out
 select -set registers @pads %a %ci1:+TRELLIS_FF[Q] t:TRELLIS_FF %i
 select -assert-count 37 @registers

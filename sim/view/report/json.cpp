@@ -42,12 +42,21 @@ ordered_json scene_json(const Scene& scene) {
             {"planes", scene.planes.size()}};
 }
 
+ordered_json window_json(const std::optional<PictureWindow>& window) {
+    if (!window) return nullptr;
+    return {{"x", window->x},
+            {"y", window->y},
+            {"whole_width", window->whole_width},
+            {"whole_height", window->whole_height}};
+}
+
 ordered_json camera_json(const Camera& camera) {
     const auto point = [](const glm::dvec3& p) { return ordered_json{p.x, p.y, p.z}; };
     return {{"eye", point(camera.eye)},
             {"at", point(camera.at)},
             {"up", point(camera.up)},
-            {"fov_degrees", camera.fov_degrees}};
+            {"fov_degrees", camera.fov_degrees},
+            {"window", window_json(camera.window)}};
 }
 
 ordered_json config_json_object(const Config& config) {

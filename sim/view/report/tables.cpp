@@ -29,8 +29,11 @@ std::string primitives_text(const Scene& scene) {
 
 std::string heading(const Scene& scene, FrameSize size, const Job& job) {
     const CompileReport& r = job.image.report;
-    std::string text = fmt::format("{}: {}, {}x{} pixels, configuration {}\n", scene.name,
-                                   primitives_text(scene), size.width, size.height, job.config.name);
+    std::string part;
+    if (const auto& w = scene.camera->window)
+        part = fmt::format(" from {},{} on of {}x{}", w->x, w->y, w->whole_width, w->whole_height);
+    std::string text = fmt::format("{}: {}, {}x{} pixels{}, configuration {}\n", scene.name,
+                                   primitives_text(scene), size.width, size.height, part, job.config.name);
     text += fmt::format(
         "  memory image {} bytes: {} nodes, depth {}, stack {} of {}; lattice pitches {:.3g}, {:.3g}, {:.3g} "
         "scene units at {} bits",
