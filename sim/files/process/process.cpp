@@ -179,9 +179,11 @@ int Process::wait(const char* stopped, const std::function<void()>& meanwhile) {
 
 std::string complaint_of(const std::string& log) {
     constexpr std::string_view error = "ERROR: ";
-    std::string last;
+    std::string last, warning;   // Verilator's error "Exiting due to 1 warning(s)" does not name the warning
     for (const std::string& line : split(log, '\n')) {
         if (line.starts_with(error)) return printable(line.substr(error.size()));
+        if (line.starts_with("%Warning") && warning.empty()) warning = line;
+        if (line.starts_with("%Error: Exiting due to") && !warning.empty()) return printable(warning);
         for (const char* word : {"ERROR", "%Error", "error: "})
             if (line.find(word) != line.npos) return printable(line);
         if (line.find_first_not_of(" \t\r") != line.npos) last = line;
