@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "model/base/stopwatch.hpp"
+#include "model/scene/texture.hpp"
 #include "sim/judge/reference/tiles.hpp"
 #include "sim/judge/cause/guide.hpp"
 #include "sim/judge/cause/snapped.hpp"
@@ -124,6 +125,7 @@ private:
                                world_.scene,
                                reference_,
                                bound_,
+                               sample_spread(camera_.fov_degrees, size_.height, settings_.aa),
                                settings_.contrast,
                                judge_.placed(),
                                seams_ ? &*seams_ : nullptr};
