@@ -441,7 +441,8 @@ mutant(tex_pass_light_holes_kept FILE rtl/unit/shade/rc_pass.sv TEST unit ${ligh
 mutant(tex_pass_cutout_at_level_0 FILE rtl/unit/shade/rc_pass_end.sv TEST unit ${light_pass}
   OLD [[request.path   = surf_i]]
   NEW [[request.path   = cutout_i ? '0 : surf_i]])
-mutant(tex_pass_cutout_with_the_scale_of_the_pass_before FILE rtl/unit/shade/rc_pass.sv TEST unit ${light_pass}
+mutant(tex_pass_cutout_with_the_scale_of_the_pass_before FILE rtl/unit/shade/rc_pass.sv TEST unit
+  "the rtl's pass is the model's with textures and instances*"
   OLD [[.enter_i(s0_transform || s0_cutout),]]
   NEW [[.enter_i(s0_transform),]])
 mutant(tex_pass_cutout_handles_its_event FILE rtl/unit/shade/rc_pass_end.sv TEST unit ${light_pass}
@@ -494,8 +495,8 @@ mutant(tex_pixel_keeps_the_hit_behind_a_hole FILE rtl/unit/shade/rc_pass_begin.s
   NEW [[assign first = 1'b1;]])
 mutant(tex_request_without_scale FILE ${pass_end} TEST unit
   "the rtl's pass is the model's with textures and instances*"
-  OLD [[assign request.scale = cutout_i ? '0 : scale_i;]]
-  NEW [[assign request.scale = cutout_i ? '0 : scale_i >> 1;]])
+  OLD [[assign request.scale = scale_i;]]
+  NEW [[assign request.scale = scale_i >> 1;]])
 mutant(tex_scale_of_the_instance_lost FILE rtl/unit/shade/rc_shade.sv TEST system
   "model and RTL agree on textured instances with holes"
   OLD [[assign place_data.texel_scale = instance_came.texel_scale;]]
