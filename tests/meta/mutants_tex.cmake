@@ -38,8 +38,8 @@ mutant(tex_model_scale_ignored FILE ${tex_model} TEST unit [tex][level]
   OLD [[record.density + hit.scale + spread]]
   NEW [[record.density + spread]])
 mutant(tex_model_request_without_scale FILE model/unit/shade/pass.cpp TEST system [textures][map]
-  OLD [[in.hit.v, in.placement.texel_scale};]]
-  NEW [[in.hit.v, 0};]])
+  OLD [[s.cosine, in.hit.u, in.hit.v, in.placement.texel_scale};]]
+  NEW [[s.cosine, in.hit.u, in.hit.v, 0};]])
 mutant(tex_model_log_at_the_start_of_its_part FILE ${tex_model} TEST unit [tex][log]~[rtl]
   OLD [=[log_table()[step * i + step / 2]]=]
   NEW [=[log_table()[step * i]]=])
