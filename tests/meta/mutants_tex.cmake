@@ -38,8 +38,8 @@ mutant(tex_model_scale_ignored FILE ${tex_model} TEST unit [tex][level]
   OLD [[record.density + hit.scale + spread]]
   NEW [[record.density + spread]])
 mutant(tex_model_request_without_scale FILE model/unit/shade/pass.cpp TEST system [textures][map]
-  OLD [[in.hit.v, in.placement.texel_scale};]]
-  NEW [[in.hit.v, 0};]])
+  OLD [[s.cosine, in.hit.u, in.hit.v, in.placement.texel_scale};]]
+  NEW [[s.cosine, in.hit.u, in.hit.v, 0};]])
 mutant(tex_model_log_at_the_start_of_its_part FILE ${tex_model} TEST unit [tex][log]~[rtl]
   OLD [=[log_table()[step * i + step / 2]]=]
   NEW [=[log_table()[step * i]]=])
@@ -151,9 +151,14 @@ mutant(tex_model_light_after_the_next FILE model/unit/shade/pass.cpp TEST unit $
 mutant(tex_model_ray_through_a_hole_ignores_none FILE model/unit/shade/pass.cpp TEST unit ${light_cases}
   OLD [[out.spawn.holes = s.light_holes;]]
   NEW [[;]])
-mutant(tex_model_cutout_at_the_level_of_the_path FILE model/unit/shade/pass.cpp TEST unit ${light_cases}
-  OLD [[out.tex = {in.ray, record, 0, full_weight,]]
-  NEW [[out.tex = {in.ray, record, in.state.path, full_weight,]])
+mutant(tex_model_cutout_at_level_0 FILE model/unit/shade/pass.cpp TEST unit ${light_cases}
+  OLD [[out.tex = {in.ray, record, in.state.path, full_weight,]]
+  NEW [[out.tex = {in.ray, record, 0, full_weight,]])
+mutant(tex_model_cutout_with_the_scale_of_the_surface FILE model/unit/shade/shader.hpp
+  WITH model/unit/shade/shader.cpp model/trace/record_shaded.cpp TEST system
+  "light passes through the holes of leaves that are instances"
+  OLD [[if (meets_cutout(in_)) in_.placement.texel_scale = instance_.texel_scale;]]
+  NEW [[]])
 mutant(tex_model_path_of_0_has_a_level FILE ${tex_model} TEST unit [tex][level]
   OLD [[if (hit.path == 0) return 0;]]
   NEW [[;]])
@@ -433,9 +438,13 @@ mutant(tex_pass_light_holes_without_end FILE rtl/unit/shade/rc_pass.sv TEST unit
 mutant(tex_pass_light_holes_kept FILE rtl/unit/shade/rc_pass.sv TEST unit ${light_pass}
   OLD [[end else if (!met_cutout) begin]]
   NEW [[end else if (1'b0) begin]])
-mutant(tex_pass_cutout_at_the_level_of_the_path FILE rtl/unit/shade/rc_pass_end.sv TEST unit ${light_pass}
-  OLD [[request.path   = cutout_i ? '0 : surf_i]]
-  NEW [[request.path   = surf_i]])
+mutant(tex_pass_cutout_at_level_0 FILE rtl/unit/shade/rc_pass_end.sv TEST unit ${light_pass}
+  OLD [[request.path   = surf_i]]
+  NEW [[request.path   = cutout_i ? '0 : surf_i]])
+mutant(tex_pass_cutout_with_the_scale_of_the_pass_before FILE rtl/unit/shade/rc_pass.sv TEST unit
+  "the rtl's pass is the model's with textures and instances*"
+  OLD [[.enter_i(s0_transform || s0_cutout),]]
+  NEW [[.enter_i(s0_transform),]])
 mutant(tex_pass_cutout_handles_its_event FILE rtl/unit/shade/rc_pass_end.sv TEST unit ${light_pass}
   OLD [[.data_i(cutout_i ? '0 : events),]]
   NEW [[.data_i(events),]])
@@ -486,8 +495,8 @@ mutant(tex_pixel_keeps_the_hit_behind_a_hole FILE rtl/unit/shade/rc_pass_begin.s
   NEW [[assign first = 1'b1;]])
 mutant(tex_request_without_scale FILE ${pass_end} TEST unit
   "the rtl's pass is the model's with textures and instances*"
-  OLD [[assign request.scale = cutout_i ? '0 : scale_i;]]
-  NEW [[assign request.scale = cutout_i ? '0 : scale_i >> 1;]])
+  OLD [[assign request.scale = scale_i;]]
+  NEW [[assign request.scale = scale_i >> 1;]])
 mutant(tex_scale_of_the_instance_lost FILE rtl/unit/shade/rc_shade.sv TEST system
   "model and RTL agree on textured instances with holes"
   OLD [[assign place_data.texel_scale = instance_came.texel_scale;]]
@@ -595,9 +604,9 @@ mutant(tex_cutout_with_the_texture_of_the_surface FILE rtl/unit/shade/rc_pass_be
   ${torture_light}
   OLD [[if (cutout_i) known_texture.record]]
   NEW [[if (cutout_i && 1'b0) known_texture.record]])
-mutant(tex_cutout_with_the_path_of_the_surface FILE ${pass_end} TEST torture ${torture_light}
-  OLD [[request.path   = cutout_i ? '0]]
-  NEW [[request.path   = cutout_i && 1'b0 ? '0]])
+mutant(tex_cutout_with_the_scale_of_the_surface FILE rtl/unit/shade/rc_shade.sv TEST torture ${torture_light}
+  OLD [[.scale_fires_i(placed),]]
+  NEW [[.scale_fires_i(keeps),]])
 mutant(tex_material_of_the_instance_keeps_the_texture FILE rtl/unit/shade/rc_shade.sv TEST torture
   ${torture_light}
   OLD [[if (lent_q[came_ray]) plain[RecordAt]]

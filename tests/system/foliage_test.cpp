@@ -109,7 +109,7 @@ TEST_CASE("a hole between a light and a point does not hide the light", "[textur
     const auto hidden = [&](double y, double distance) {
         RefPath path;
         path.from = geometry.space()(glm::dvec3(0, y, 0));
-        return hidden_at(geometry, scene, path, distance * geometry.space().scale);
+        return hidden_at(geometry, scene, path, distance * geometry.space().scale, 0.001);
     };
     CHECK(hidden(-0.5, 2).surely);
     CHECK_FALSE(hidden(0.5, 2).possibly);

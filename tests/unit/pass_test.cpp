@@ -504,8 +504,8 @@ TEST_CASE("after a cut-out in the way to a light, a pass only requests the textu
         REQUIRE((out.leave == PassOut::Leave::texture) == (in.surface.record != 0));
         if (in.surface.record == 0) continue;
         REQUIRE((out.tex.ray == in.ray && out.tex.record == in.surface.record && out.tex.u == in.hit.u &&
-                 out.tex.v == in.hit.v && out.tex.cosine == 65536 && out.tex.path == 0 &&
-                 out.tex.scale == 0));
+                 out.tex.v == in.hit.v && out.tex.cosine == 65536 && out.tex.path == in.state.path &&
+                 out.tex.scale == in.placement.texel_scale));
     }
     CHECK((asked > 300 && plain > 300));
 }

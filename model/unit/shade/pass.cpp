@@ -232,14 +232,15 @@ void show_texture(const PassIn& in, const Frame& frame, const Config& c, PassOut
     if (c.has_homes()) out.spawn.home = home_of(s, in.d, in.placement, c);
 }
 
-/// Handles a shadow ray that has met a cut-out: requests the cut-out's texture at level 0. With two levels an
-/// instance's own material replaces the mesh's. It has no texture, so the cut-out has no holes.
+/// Handles a shadow ray that has met a cut-out: requests the cut-out's texture at the level for the
+/// path to the surface (docs/machine/shading.md, Light through holes). With two levels an instance's own
+/// material replaces the mesh's. It has no texture, so the cut-out has no holes.
 void request_cutout(const PassIn& in, PassOut& out) {
     const std::uint32_t record = in.surface.record;
     if (record == 0) return;
     out.state.pending = std::uint32_t(Pending::texture);
     out.leave = PassOut::Leave::texture;
-    out.tex = {in.ray, record, 0, full_weight, in.hit.u, in.hit.v, 0};
+    out.tex = {in.ray, record, in.state.path, full_weight, in.hit.u, in.hit.v, in.placement.texel_scale};
 }
 
 /// Finishes a sample, and starts the next one or ends the pixel.

@@ -46,6 +46,7 @@ public:
         if (wants_surface() && config_->has_homes())
             instance_ = unpack<Placement>(image_->line(hit.instance_line), *config_);
         if (is_arrival() && hit.found) in_.placement = instance_;
+        if (meets_cutout(in_)) in_.placement.texel_scale = instance_.texel_scale;
         if (watch_) watch_->answered(hit);
         if (is_arrival())
             signature_.met(hit.found ? hit.prim : no_primitive);

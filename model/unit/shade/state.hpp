@@ -160,7 +160,8 @@ struct PassIn {
     Waiting top;       ///< of a pop event: the stack's top
     std::array<std::uint32_t, 3> texel{};   ///< of a texture event: TexRsp::colour
     std::uint32_t hole = 0;                 ///< of a texture event: as in TexRsp
-    /// With two levels: the instance that was hit last. Only `here`, a and b are used.
+    /// With two levels: the instance that was hit last. Only `here`, a, b and texel_scale are used. After a
+    /// cut-out has been met, texel_scale is the scale of the cut-out's instance.
     Placement placement{};
 };
 /// True if a shadow ray has met a cut-out. The pass requests its texture and handles no event.

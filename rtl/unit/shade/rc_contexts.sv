@@ -28,8 +28,10 @@ module rc_contexts #(
   input  logic                         closest_fires_i,
   input  logic [RayBits-1:0]           closest_ray_i,
   input  logic [HitW-1:0]              closest_hit_i,
-  // The instance that was hit: its line, a, b
+  // The instance that was hit: its line, a, b. With textures: its scale, or that of a cut-out in the
+  // way to a light
   input  logic                         place_fires_i,
+  input  logic                         scale_fires_i,
   input  logic [RayBits-1:0]           place_ray_i,
   input  logic [PlaceW-1:0]            place_i,
   // With textures: whether a texture has a hole, and its colour
@@ -132,15 +134,34 @@ module rc_contexts #(
     .write_data_i(answer), .read_i(reads), .read_addr_i(reads_ray), .read_data_o(hit_o));
 
   // ---- The instance that was hit last.
+  localparam int unsigned MapW = PlaceW - (rc_pkg::HasTextures == 1 ? rc_pkg::LevelBits : 0);
+
   if (rc_pkg::Homes == 1) begin : gen_place
-    rc_context_ram #(.Width(PlaceW), .Depth(Contexts)) u_place (
-      .clk_i, .rst_ni, .write_i(place_fires_i), .write_addr_i(place_ray_i), .write_data_i(place_i),
-      .read_i(reads), .read_addr_i(reads_ray), .read_data_o(place_o));
+    rc_pkg::shade_place_t place_came, place_read;
+
+    assign place_came = place_i;
+    assign place_o    = place_read;
+
+    rc_context_ram #(.Width(MapW), .Depth(Contexts)) u_place (
+      .clk_i, .rst_ni, .write_i(place_fires_i), .write_addr_i(place_ray_i),
+      .write_data_i({place_came.here, place_came.a, place_came.b}),
+      .read_i(reads), .read_addr_i(reads_ray),
+      .read_data_o({place_read.here, place_read.a, place_read.b}));
+
+    if (rc_pkg::HasTextures == 1) begin : gen_texel_scale
+      rc_context_ram #(.Width(rc_pkg::LevelBits), .Depth(Contexts)) u_scale (
+        .clk_i, .rst_ni, .write_i(scale_fires_i), .write_addr_i(place_ray_i),
+        .write_data_i(place_came.texel_scale),
+        .read_i(reads), .read_addr_i(reads_ray), .read_data_o(place_read.texel_scale));
+    end else begin : gen_no_texel_scale
+      logic unused;
+      assign unused = scale_fires_i;
+    end
   end else begin : gen_no_place
     assign place_o = '0;
 
     logic unused;
-    assign unused = ^{place_fires_i, place_ray_i, place_i};
+    assign unused = ^{place_fires_i, scale_fires_i, place_ray_i, place_i};
   end
 
   // ---- State, in the groups of model/unit/shade/state.hpp.

@@ -327,7 +327,7 @@ module rc_pass_end #(
 
     assign request.ray    = ray_i;
     assign request.record = begin_state_i.record;
-    assign request.path   = cutout_i ? '0 : surf_i ? path_i : begin_state_i.path;
+    assign request.path   = surf_i ? path_i : begin_state_i.path;
     assign request.cosine = cutout_i ? rc_pkg::ValueOne
                           : surf_i || turned ? surf_cosine_i : begin_state_i.cosine;
     assign tex_req        = request;
@@ -344,7 +344,7 @@ module rc_pass_end #(
     end
 
     if (rc_pkg::Homes == 1) begin : gen_scale
-      assign request.scale = cutout_i ? '0 : scale_i;
+      assign request.scale = scale_i;
     end else begin : gen_no_scale
       logic unused;
       assign unused = ^scale_i;

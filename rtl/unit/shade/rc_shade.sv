@@ -143,9 +143,9 @@ module rc_shade (
   localparam int unsigned RecordAt  = rc_pkg::SurfaceW - 8 - AddrBits;
 
   // placing: the line that comes is an instance or its material. keeps: an instance is accepted for
-  // a hit, not for a cut-out in the way to a light. taken: an instance or its material is accepted.
-  // came: a surface has come.
-  logic              placing, keeps, taken, came;
+  // a hit, not for a cut-out in the way to a light. placed: for either. taken: an instance or its
+  // material is accepted. came: a surface has come.
+  logic              placing, keeps, placed, taken, came;
   logic [rc_pkg::SurfRspW-1:0] surf_rsp;
   logic [rc_pkg::SurfaceW-1:0] surface_found;
   rc_pkg::surface_t            surface_came;    // the line that comes, if it is a surface,
@@ -174,6 +174,7 @@ module rc_shade (
     assign surf_req_o = fetch;
     assign placing    = 1'b0;
     assign keeps      = 1'b0;
+    assign placed     = 1'b0;
     assign taken      = 1'b0;
     assign place_data = '0;
     assign surface_found = rc_pkg::SurfaceW'(surf_rsp);
@@ -182,7 +183,6 @@ module rc_shade (
     assign unused = ^{surface_came, instance_came, taken, closest_place};
   end else begin : gen_fetch_twice
     logic [Contexts-1:0]             placing_q, lends_q;   // waits for an instance, for a material
-    logic                            placed;   // an instance is accepted
     logic [AddrBits-1:0]             prim, surface_line, kept_line;
     logic [Contexts-1:0]             lent_q;   // the context's last instance has a material
     logic                            lends;
@@ -395,7 +395,8 @@ module rc_shade (
     .clk_i, .rst_ni, .slot_fires_i, .slot_i, .ray_fires_i, .ray_i, .kind_o(kind),
     .closest_fires_i(closest_valid_i), .closest_ray_i(closest_i.ray),
     .closest_hit_i(closest_hit), .read_i(enters), .read_ray_i(ray), .read_valid_o(passes),
-    .place_fires_i(keeps), .place_ray_i(surf_rsp_i.ray), .place_i(place_data),
+    .place_fires_i(keeps), .scale_fires_i(placed), .place_ray_i(surf_rsp_i.ray),
+    .place_i(place_data),
     .texel_fires_i(tex_rsp_fires_i), .texel_ray_i(texel_ray), .texel_i(texel_came),
     .texel_o(texel),
     .hit_o(hit), .o_o(o), .d_o(d), .state_o(state), .top_o(top), .place_o(place),

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "model/base/stopwatch.hpp"
+#include "model/scene/texture.hpp"
 #include "sim/judge/reference/tiles.hpp"
 #include "sim/judge/cause/guide.hpp"
 #include "sim/judge/cause/snapped.hpp"
@@ -45,6 +46,8 @@ public:
     explicit SeamWatch(const SeamFinder& seams) : seams_(seams) {}
     void sent(const Ray& ray) override { ray_ = ray; }
     void answered(const Closest& hit) override {
+        // Every line meets the cut-outs that this ray ignores. The guide tests their holes.
+        if (ray_.holes > 0 && !hit.found) return;
         const RayFinding found = seams_.explain(ray_, hit, &apart);
         has_seam |= found == RayFinding::seam;
         is_lost |= found == RayFinding::none;
@@ -124,6 +127,7 @@ private:
                                world_.scene,
                                reference_,
                                bound_,
+                               sample_spread(camera_.fov_degrees, size_.height, settings_.aa),
                                settings_.contrast,
                                judge_.placed(),
                                seams_ ? &*seams_ : nullptr};

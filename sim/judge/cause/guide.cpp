@@ -412,6 +412,10 @@ double stretch_error(const std::array<std::int64_t, 9>& a) {
     return 0.5 * std::max(std::log2(most / mean), std::log2(mean / least));
 }
 
+/// The largest error of the machine's level, apart from an instance's map (docs/machine/shading.md, Bound of
+/// the level).
+constexpr double error_of_level = 0.25;
+
 /// A place in a texture that the machine reads.
 struct Guide::TexturePlace {
     glm::dvec2 st{0};
@@ -533,7 +537,7 @@ void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& ow
     }
     if (place.is_wrong) fail("the coordinates of a texture do not belong to the point that was hit");
 
-    const double level_error = 0.25 + place.scale_error;
+    const double level_error = error_of_level + place.scale_error;
     constexpr double cosine_error_of_level = 0x1p-12;
     const auto level = int(at->texture->level);
     const auto detail = [&](double cosine) {
@@ -676,12 +680,16 @@ bool Guide::is_blocking_tied(const RefPath& path, double distance, bool wanted) 
     // steps.
     const Config& config = rules_.inputs.config;
     const glm::dvec3& pitch = rules_.inputs.lattice.pitch;
-    const HoleSlack slack{4 * std::exp2(-config.bary_bits),
-                          rules_.placed ? 4 * std::max(pitch.x, std::max(pitch.y, pitch.z)) : 0, 0.5 / 255};
+    HoleSlack slack{4 * std::exp2(-config.bary_bits),
+                    rules_.placed ? 4 * std::max(pitch.x, std::max(pitch.y, pitch.z)) : 0, 0.5 / 255,
+                    error_of_level};
+    if (rules_.placed)
+        for (const auto& place : rules_.placed->solids().places())
+            slack.level = std::max(slack.level, error_of_level + stretch_error(place.a));
     const auto is_match = [&](const RefPath& moved) {
         for (const double scale : {1 - 4 * tie_size, 1 + 4 * tie_size}) {
-            const Hidden found =
-                hidden_at(rules_.reference.geometry(), rules_.scene, moved, distance * scale, slack);
+            const Hidden found = hidden_at(rules_.reference.geometry(), rules_.scene, moved, distance * scale,
+                                           rules_.spread, slack);
             if (wanted ? found.possibly : !found.surely) return true;
         }
         return false;

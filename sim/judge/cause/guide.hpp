@@ -34,6 +34,7 @@ struct GuideRules {
     const Scene& scene;                    ///< the machine's scene, in the given scene's units
     const Reference& reference;            ///< traces `scene`
     const CameraBound& camera;             ///< the bound of the picture's camera rays
+    double spread = 0;                     ///< sample_spread() of the picture
     double contrast = 0;                   ///< of samples, below which sampling ends
     const PlacedWorld* placed = nullptr;   ///< null with one level
     const SeamFinder* seams = nullptr;

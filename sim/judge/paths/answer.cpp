@@ -115,12 +115,10 @@ const char* judge_way(bool is_blocked, const Closest& answer) {
 
 /// True if a triangle may lie in the way to a light without contradiction to an answer that reports no
 /// cut-out. If the answer is "blocked", an opaque primitive must lie in the way, so any triangle with holes
-/// may. If it is "free", only holes may lie in the way. `primitive`: the number in the scene.
-bool lets_pass(const Cutouts& cutouts, const Config& c, const Closest& answer, std::uint32_t primitive,
-               const FlatHit& hit) {
-    return cutouts.has_holes(primitive) &&
-           (answer.found != 0 ||
-            cutouts.is_hole(primitive, weight_of(hit.u, hit.total, c), weight_of(hit.v, hit.total, c)));
+/// may. If it is "free", only triangles whose holes the light has passed may lie in the way. `primitive`: the
+/// number in the scene.
+bool lets_pass(const Cutouts& cutouts, const Closest& answer, std::uint32_t primitive) {
+    return cutouts.has_holes(primitive) && (answer.found != 0 || cutouts.is_passed(primitive));
 }
 
 /// Judges a cut-out that was reported in the way to or from a light. `hit`: the oracle's.
@@ -165,8 +163,7 @@ const char* judge_answer(const Solids& solids, const Config& c, const Ray& ray, 
             return judge_cutout(solids.flat_hit(r, answer.prim), is_shadow, c, answer);
         }
         oracle::LetsPass passes;
-        if (cutouts)
-            passes = [&](const FlatHit& hit) { return lets_pass(*cutouts, c, answer, hit.primitive, hit); };
+        if (cutouts) passes = [&](const FlatHit& hit) { return lets_pass(*cutouts, answer, hit.primitive); };
         return judge_way(is_shadow ? solids.blocks(r, c.origin_frac(), passes) : solids.meets_any(r, passes),
                          answer);
     }
@@ -233,7 +230,7 @@ const char* judge_answer(const PlacedWorld& world, const Config& c, const Ray& r
         oracle::PlaceLetsPass passes;
         if (cutouts)
             passes = [&](std::uint32_t place, const FlatHit& hit) {
-                return lets_pass(*cutouts, c, answer, solids.places()[place].first + hit.primitive, hit);
+                return lets_pass(*cutouts, answer, solids.places()[place].first + hit.primitive);
             };
         const bool is_blocked =
             (is_shadow ? solids.blocks(r, c.origin_frac(), passes) : solids.meets_any(r, passes)) != nowhere;

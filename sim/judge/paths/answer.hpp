@@ -13,8 +13,8 @@ public:
     virtual ~Cutouts() = default;
     /// True if the primitive is a triangle with a texture and a cut-off.
     virtual bool has_holes(std::uint32_t primitive) const = 0;
-    /// True if such a triangle has a hole at a hit. u and v: as in Closest.
-    virtual bool is_hole(std::uint32_t primitive, std::uint32_t u, std::uint32_t v) const = 0;
+    /// True if the light has already passed a hole of such a triangle on its way.
+    virtual bool is_passed(std::uint32_t primitive) const = 0;
 };
 
 /// Returns the fault of a ray's answer, or null. These are judged exactly: the primitive and its side; t, u

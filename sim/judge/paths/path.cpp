@@ -128,9 +128,7 @@ void PathJudge::event(const PassIn& in, const PassOut& out) {
         cutout_.reset();
         if (lets_pass) {
             // Structures that cut space may test a triangle several times.
-            const bool is_new =
-                std::find(light_holes_.begin(), light_holes_.end(), answer_.prim) == light_holes_.end();
-            demand(is_new || config_.cuts_space() || config_.is_walked(Structure::octree),
+            demand(!is_passed(answer_.prim) || config_.cuts_space() || config_.is_walked(Structure::octree),
                    "light passes the same hole twice");
             light_holes_.push_back(answer_.prim);
             return light(in, out, s.light - 1);

@@ -122,11 +122,12 @@ private:
     std::optional<Start> bounce_start_of(const ShadeState& s, const Vec3i& d, bool through) const;
     void demand_lights(const ShadeState& s);
     void transform(const PassIn& in, const PassOut& out);
+    void demand_scale(const TexReq& hit, std::uint32_t place);
     void demand_texture(const ShadeState& s, const PassOut& out);
     void texture(const PassIn& in, const PassOut& out);
     std::optional<TexturedSurface> textured(std::uint32_t primitive) const;
     bool has_holes(std::uint32_t primitive) const override;
-    bool is_hole(std::uint32_t primitive, std::uint32_t u, std::uint32_t v) const override;
+    bool is_passed(std::uint32_t primitive) const override;
     void cutout(const PassIn& in, const PassOut& out);
     void event(const PassIn& in, const PassOut& out);
     Vec3i point_at(const PassIn& in) const;

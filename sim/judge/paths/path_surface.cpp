@@ -101,13 +101,18 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
     demand_lights(s);
 }
 
+/// Judges the scale of a request to tex. `place`: number of the instance; nowhere: there are no instances.
+void PathJudge::demand_scale(const TexReq& hit, std::uint32_t place) {
+    demand(place == oracle::PlacedRay::nowhere ||
+               is_scale(hit.scale, rules_.placed->solids().places()[place].a, config_),
+           "the request to tex has another scale than the instance's");
+}
+
 /// Judges the request to tex. The texture's colour and the ambient light come later.
 void PathJudge::demand_texture(const ShadeState& s, const PassOut& out) {
     demand(ShadeEvent(s.next_event) == ShadeEvent::texture, "no texture pass follows a textured surface");
     const TexReq& hit = out.tex;
-    demand(visit_.place == oracle::PlacedRay::nowhere ||
-               is_scale(hit.scale, rules_.placed->solids().places()[visit_.place].a, config_),
-           "the request to tex has another scale than the instance's");
+    demand_scale(hit, visit_.place);
     bool is_there = hit.u == answer_.u && hit.v == answer_.v;
     if (place_.texture && place_.texture->kind == PrimKind::sphere)
         is_there = is_octahedral(
@@ -166,9 +171,8 @@ bool PathJudge::has_holes(std::uint32_t primitive) const {
                          : may_have_holes(rules_.inputs.scene, primitive);
 }
 
-bool PathJudge::is_hole(std::uint32_t primitive, std::uint32_t u, std::uint32_t v) const {
-    const auto triangle = textured(primitive);
-    return triangle && rayclock::is_hole(rules_.inputs, *triangle, u, v);
+bool PathJudge::is_passed(std::uint32_t primitive) const {
+    return std::find(light_holes_.begin(), light_holes_.end(), primitive) != light_holes_.end();
 }
 
 /// Judges the pass after a shadow ray has met a cut-out. If the instance has its own material, the cut-out
@@ -183,8 +187,9 @@ void PathJudge::cutout(const PassIn& in, const PassOut& out) {
     const TexReq& hit = out.tex;
     demand(out.leave == PassOut::Leave::texture, "the texture of a cut-out is not requested");
     demand(in.surface.record != 0 && hit.record == in.surface.record && hit.u == answer_.u &&
-               hit.v == answer_.v && hit.path == 0 && hit.cosine == full_share && hit.scale == 0,
+               hit.v == answer_.v && hit.path == path_ && hit.cosine == full_share,
            "the request to tex has another hit than the ray's");
+    demand_scale(hit, rules_.placed ? rules_.placed->place_of(answer_.prim) : oracle::PlacedRay::nowhere);
     texel_.reset();
 }
 

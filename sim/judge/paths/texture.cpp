@@ -265,17 +265,6 @@ bool is_spread(const FrameInputs& inputs, int samples_per_side) {
     return is_nearest(inputs.frame.shade.spread, 64 * (std::log2(width / samples_per_side) - 0.057));
 }
 
-bool is_hole(const FrameInputs& inputs, const TexturedSurface& surface, std::uint32_t u, std::uint32_t v) {
-    if (surface.cutoff <= 0) return false;
-    std::array<std::int32_t, 3> s{}, t{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        s[k] = std::int32_t(std::llround(std::ldexp(surface.coordinates[k].x, 20)));
-        t[k] = std::int32_t(std::llround(std::ldexp(surface.coordinates[k].y, 20)));
-    }
-    const std::int64_t cutoff = std::max<std::int64_t>(std::llround(255 * surface.cutoff), 1);
-    return footprint(inputs, *surface.texture, 0, s, t, u, v).sum(3) < Int128(cutoff) * 65536;
-}
-
 const char* judge_texture(const FrameInputs& inputs, const TexturedSurface& surface, const TexReq& hit,
                           const TexRecord& record, const TexelPlace& place, const TexRsp& answer) {
     const Texture* const texture = surface.texture;

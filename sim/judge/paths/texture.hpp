@@ -40,9 +40,6 @@ bool is_spread(const FrameInputs& inputs, int samples_per_side);
 /// True if a hit holds the nearest number to the scale of an instance's map (`a` in memory).
 bool is_scale(std::int32_t scale, const std::array<std::int64_t, 9>& a, const Config& config);
 
-/// True if a triangle has a hole at a hit, at level 0. u and v: as in Closest.
-bool is_hole(const FrameInputs& inputs, const TexturedSurface& triangle, std::uint32_t u, std::uint32_t v);
-
 /// Returns a fault, or null. Judges the texture record (each number must be the nearest one to the scene's
 /// number), the level, and the colour, to the bit.
 const char* judge_texture(const FrameInputs& inputs, const TexturedSurface& surface, const TexReq& hit,

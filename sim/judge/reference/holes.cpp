@@ -18,25 +18,25 @@ struct AlphaRange {
     double least = 2, most = -1;
 };
 
-/// Samples alpha within `error` of s and t. The samples are 256ths of a texel apart, as the machine's places
-/// are, but at most 65 along each axis.
-AlphaRange alpha_near(const Texture& texture, const glm::dvec2& st, const glm::dvec2& error) {
-    const TexelLevel& picture = texture.pyramid->levels[0];
+/// Adds samples of a level's alpha within `error` of s and t. The samples are 256ths of a texel apart, as the
+/// machine's places are, but at most 65 along each axis.
+void add_alpha_near(const Texture& texture, int level, const glm::dvec2& st, const glm::dvec2& error,
+                    AlphaRange& range) {
+    const TexelLevel& picture = texture.pyramid->levels[std::size_t(level)];
     const glm::dvec2 grid = 512.0 * glm::dvec2(picture.width, picture.height) * error;
     const int columns = int(std::min(std::ceil(grid.x), 64.0)), rows = int(std::min(std::ceil(grid.y), 64.0));
-    AlphaRange range;
     for (int y = 0; y <= rows; ++y)
         for (int x = 0; x <= columns; ++x) {
             const glm::dvec2 part(columns == 0 ? 0 : 2.0 * x / columns - 1,
                                   rows == 0 ? 0 : 2.0 * y / rows - 1);
-            const double alpha = filtered_with_alpha(texture, st + part * error, 0).a;
+            const double alpha = filtered_with_alpha(texture, st + part * error, level).a;
             range.least = std::min(range.least, alpha), range.most = std::max(range.most, alpha);
         }
-    return range;
 }
 
 /// Returns the error of s and t at a hit. It includes the machine's rounding of a place to 256ths of a texel.
-glm::dvec2 error_at(const Scene& scene, const RefClosest& hit, const RefPath& path, const HoleSlack& slack) {
+glm::dvec2 error_at(const Scene& scene, const RefClosest& hit, const RefPath& path, int level,
+                    const HoleSlack& slack) {
     if (slack.weight == 0 && slack.moved == 0) return glm::dvec2(0);
     const auto& [a, b, c] = scene.coordinates[hit.primitive];
     double weight = slack.weight;
@@ -48,7 +48,7 @@ glm::dvec2 error_at(const Scene& scene, const RefClosest& hit, const RefPath& pa
         weight += slack.moved * (glm::length(e1) + glm::length(e2)) / area / std::max(cosine, 0x1p-8);
     }
     const Material& material = scene.materials[scene.triangles[hit.primitive].material];
-    const TexelLevel& picture = scene.textures[*material.texture].pyramid->levels[0];
+    const TexelLevel& picture = scene.textures[*material.texture].pyramid->levels[std::size_t(level)];
     return weight * (glm::abs(b - a) + glm::abs(c - a)) + 0x1p-18 +
            1.0 / (256.0 * glm::dvec2(picture.width, picture.height));
 }
@@ -56,7 +56,7 @@ glm::dvec2 error_at(const Scene& scene, const RefClosest& hit, const RefPath& pa
 }   // namespace
 
 Hidden hidden_at(const RefGeometry& geometry, const Scene& scene, const RefPath& path, double distance,
-                 const HoleSlack& slack) {
+                 double spread, const HoleSlack& slack) {
     if (!geometry.is_blocked(path, distance)) return {};
     if (scene.coordinates.empty()) return {true, true};
     const auto is_opaque = [&](const RefClosest& hit) {
@@ -72,9 +72,14 @@ Hidden hidden_at(const RefGeometry& geometry, const Scene& scene, const RefPath&
     for (const RefClosest& hit : hits) {
         const Material& material = scene.materials[scene.triangles[hit.primitive].material];
         const auto& [a, b, c] = scene.coordinates[hit.primitive];
-        const AlphaRange alpha =
-            alpha_near(scene.textures[*material.texture], (1 - hit.u - hit.v) * a + hit.u * b + hit.v * c,
-                       error_at(scene, hit, path, slack));
+        const Texture& texture = scene.textures[*material.texture];
+        const double lod = level_of_detail(texture_detail(scene, hit.primitive),
+                                           path.travelled / geometry.space().scale, spread, 1);
+        AlphaRange alpha;
+        for (int level = level_of(texture, lod - slack.level); level <= level_of(texture, lod + slack.level);
+             ++level)
+            add_alpha_near(texture, level, (1 - hit.u - hit.v) * a + hit.u * b + hit.v * c,
+                           error_at(scene, hit, path, level, slack), alpha);
         found.surely |= alpha.least >= material.cutoff + slack.alpha;
         found.possibly |= alpha.most >= material.cutoff - slack.alpha;
     }

@@ -10,6 +10,7 @@ struct HoleSlack {
     double weight = 0;   ///< of a hit's u and v
     double moved = 0;    ///< distance by which a hit may move in its triangle's plane, in scene units
     double alpha = 0;    ///< of the cut-off
+    double level = 0;    ///< of the level of detail
 };
 /// Whether something opaque lies in the way to a light. The two flags differ only where the slack leaves the
 /// decision about a hole open.
@@ -18,8 +19,9 @@ struct Hidden {
 };
 
 /// Tests the path up to `distance`. Light passes through a triangle with a cut-off where the alpha of its
-/// texture's level 0 is below the cut-off. More than most_holes holes hide the light.
+/// texture is below the cut-off, at the level for the length of the path to the surface (path.travelled) and
+/// a cosine of 1. More than most_holes holes hide the light. `spread`: sample_spread() of the picture.
 Hidden hidden_at(const RefGeometry& geometry, const Scene& scene, const RefPath& path, double distance,
-                 const HoleSlack& slack = {});
+                 double spread, const HoleSlack& slack = {});
 
 }   // namespace rayclock

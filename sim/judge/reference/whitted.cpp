@@ -229,7 +229,7 @@ glm::dvec3 Tracer::light(const RefPath& path, const RefSurface& surface, std::si
         return glm::dvec3(0);
     }
     shadow.direction = (position - shadow.from) / distance;
-    bool is_blocked = hidden_at(geometry_, scene_, shadow, distance).surely;
+    bool is_blocked = hidden_at(geometry_, scene_, shadow, distance, spread_).surely;
     if (steer_) is_blocked = steer_->is_blocked(number, shadow, distance, is_blocked);
     if (watch_.see) report_ray(shadow, distance, is_blocked, geometry_.blockers(shadow, distance));
     signature_.asked(is_blocked);
