@@ -28,8 +28,8 @@ module rc_contexts #(
   input  logic                         closest_fires_i,
   input  logic [RayBits-1:0]           closest_ray_i,
   input  logic [HitW-1:0]              closest_hit_i,
-  // The instance that was hit: its line, a, b. With textures: its scale, or that of a cut-out in the
-  // way to a light
+  // The instance that was hit: its line, a, b. With textures: its scale, or that of a cut-out
+  // in the way to a light
   input  logic                         place_fires_i,
   input  logic                         scale_fires_i,
   input  logic [RayBits-1:0]           place_ray_i,
@@ -136,32 +136,44 @@ module rc_contexts #(
   // ---- The instance that was hit last.
   localparam int unsigned MapW = PlaceW - (rc_pkg::HasTextures == 1 ? rc_pkg::LevelBits : 0);
 
+  rc_pkg::shade_place_t place_came, place_read;
+  logic [MapW-1:0]      map_came, map_read;
+
+  assign place_came = place_i;
+  assign place_o    = place_read;
+  assign map_came   = {place_came.here, place_came.a, place_came.b};
+
   if (rc_pkg::Homes == 1) begin : gen_place
-    rc_pkg::shade_place_t place_came, place_read;
-
-    assign place_came = place_i;
-    assign place_o    = place_read;
-
     rc_context_ram #(.Width(MapW), .Depth(Contexts)) u_place (
-      .clk_i, .rst_ni, .write_i(place_fires_i), .write_addr_i(place_ray_i),
-      .write_data_i({place_came.here, place_came.a, place_came.b}),
-      .read_i(reads), .read_addr_i(reads_ray),
-      .read_data_o({place_read.here, place_read.a, place_read.b}));
-
-    if (rc_pkg::HasTextures == 1) begin : gen_texel_scale
-      rc_context_ram #(.Width(rc_pkg::LevelBits), .Depth(Contexts)) u_scale (
-        .clk_i, .rst_ni, .write_i(scale_fires_i), .write_addr_i(place_ray_i),
-        .write_data_i(place_came.texel_scale),
-        .read_i(reads), .read_addr_i(reads_ray), .read_data_o(place_read.texel_scale));
-    end else begin : gen_no_texel_scale
-      logic unused;
-      assign unused = scale_fires_i;
-    end
+      .clk_i, .rst_ni, .write_i(place_fires_i), .write_addr_i(place_ray_i), .write_data_i(map_came),
+      .read_i(reads), .read_addr_i(reads_ray), .read_data_o(map_read));
   end else begin : gen_no_place
-    assign place_o = '0;
+    assign map_read = '0;
 
     logic unused;
-    assign unused = ^{place_fires_i, scale_fires_i, place_ray_i, place_i};
+    assign unused = ^{place_fires_i, place_ray_i, map_came};
+  end
+
+  assign {place_read.here, place_read.a, place_read.b} = map_read;
+
+  if (rc_pkg::Homes == 1 && rc_pkg::HasTextures == 1) begin : gen_texel_scale
+    logic [rc_pkg::LevelBits-1:0] scale_came, scale_read;
+
+    assign scale_came             = place_came.texel_scale;
+    assign place_read.texel_scale = scale_read;
+
+    rc_context_ram #(.Width(rc_pkg::LevelBits), .Depth(Contexts)) u_scale (
+      .clk_i, .rst_ni, .write_i(scale_fires_i), .write_addr_i(place_ray_i),
+      .write_data_i(scale_came), .read_i(reads), .read_addr_i(reads_ray),
+      .read_data_o(scale_read));
+  end else if (rc_pkg::HasTextures == 1) begin : gen_one_scale
+    assign place_read.texel_scale = '0;
+
+    logic unused;
+    assign unused = ^{scale_fires_i, place_came};
+  end else begin : gen_no_texel_scale
+    logic unused;
+    assign unused = scale_fires_i;
   end
 
   // ---- State, in the groups of model/unit/shade/state.hpp.

@@ -555,7 +555,8 @@ module rc_pass #(
       rc_stage_delay #(.Width(rc_pkg::LevelBits), .Stages(Out), .Parts(rc_pkg::ShadeParts))
       u_scale (
         .clk_i, .rst_ni, .enter_i(s0_transform || s0_cutout),
-        .leave_i(transform_at[Out] || cutout_at[Out]), .data_i(place.texel_scale), .data_o(end_scale));
+        .leave_i(transform_at[Out] || cutout_at[Out]), .data_i(place.texel_scale),
+        .data_o(end_scale));
     end else begin : gen_no_scale
       assign end_scale = '0;
     end
