@@ -22,7 +22,7 @@ module rc_board #(
   parameter  int unsigned InitUs     = 200,         // wait of the SDRAM after power-on
   parameter  int unsigned ReadDelay  = 1,           // of rc_sdram; see above
   parameter  int unsigned Counters   = 1,           // the chip's unit counters
-  parameter  int unsigned GateClock  = 0,           // the chip's clock stands still while it is idle
+  parameter  int unsigned GateClock  = 0,           // the chip's clock stands still while idle
   parameter  logic [63:0] ConfigHash = '0,          // of the configuration that rc_pkg belongs to
   localparam int unsigned RowBits    = 13
 ) (
