@@ -306,7 +306,7 @@ inline bool same_answer(const Closest& a, const Closest& b) {
 }
 
 /// shade -> tex: the hit of a surface with a texture. If the surface is a cut-out in the way to a light, path
-/// is 0, cosine is 1 and scale is 0.
+/// ends at the surface that the light falls on, and cosine is 1.
 struct TexReq {
     std::uint32_t ray = 0;
     std::uint32_t record = 0;   ///< as in Surface

@@ -1,11 +1,10 @@
-// The chip's clock. With Gates = 1 it stands still while the chip is idle, and the chip cannot
-// notice that: an edge would change none of its registers. A simulator then spends no time on the
-// chip while bytes cross the UART. With Gates = 0 the clock is clk_i itself; a device without
-// clock gates is built so.
+// The chip's clock. With Gates = 1 it stands still while the chip is idle, when an edge would
+// change none of the chip's registers. A simulator then spends no time on the chip while bytes
+// cross the UART. With Gates = 0 the clock is clk_i itself: for synthesis on an FPGA.
 //
-// The chip is awake while a frame runs, while its bus is in use, and for some cycles after either.
-// After a change of its reset it is awake for ResetCycles, the longest time in which a cache clears
-// its tags.
+// The clock runs while a frame runs, while the chip's bus is in use, and for RestCycles after
+// either. After a change of the chip's reset it runs for ResetCycles, the longest time in which a
+// cache clears its tags.
 `default_nettype none
 module rc_chip_clock #(
   parameter int unsigned Gates       = 0,
@@ -32,7 +31,7 @@ module rc_chip_clock #(
     end
 
     logic             chip_rst_nq, changes, is_used, open, open_q;
-    logic [LeftW-1:0] left_q;   // cycles until the chip sleeps, if nothing wakes it
+    logic [LeftW-1:0] left_q;   // cycles until the clock stops, if the chip stays idle
 
     assign changes = chip_rst_ni != chip_rst_nq;
     assign is_used = bus_i || running_i;

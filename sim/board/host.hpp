@@ -35,9 +35,9 @@ struct BoardFrame : BoardTiming {
 };
 
 /// A board at the other end of a link. The board itself holds the scene, the frame's registers and the places
-/// of its pictures, so a later program can go on where another one ended. All functions throw the exceptions
-/// of BoardLink, and UserError if the board has another configuration or memory than expected, or does not
-/// finish in time. Times are those of a real board; LinkSettings::slower stretches them.
+/// of its pictures, so a later program can continue where another one ended. All functions throw the
+/// exceptions of BoardLink, and UserError if the board has another configuration or memory than expected, or
+/// does not finish in time. Times are those of a real board; LinkSettings::slower stretches them.
 class BoardHost {
 public:
     /// Says hello. Throws UserError if the bitstream was made from another configuration. Writes nothing.
@@ -50,18 +50,20 @@ public:
     void update(const Upload& upload);
     /// Writes the registers of the next frame.
     void set_frame(const Frame& frame);
-    /// Resets the chip: its caches are empty then. The frame's registers keep their values.
+    /// Resets the chip, so that its caches are empty. The frame's registers keep their values.
     void reset();
     /// Draws the frame of the registers into the picture that is not shown, and then shows it. `most`: the
     /// longest time from the command to the last pixel in memory. Throws UserError if no frame was loaded.
     BoardTiming draw(LinkTime most);
 
-    /// The results of the last frame. Both throw UserError if none was drawn since the chip's last reset.
+    /// The results of the last frame. accounts(), picture() and timing() throw UserError if none was drawn
+    /// since the chip's last reset.
     Accounts accounts();
     BoardPicture picture(const Progress& progress = {});
     /// The cost of the last frame.
     BoardTiming timing();
-    /// Pixels that came too late for the screen since the board's reset, up to this time from now.
+    /// Waits for this time. Then returns the pixels that came too late for the screen since the board's
+    /// reset.
     std::uint32_t underruns(LinkTime after);
 
     /// set_frame(), draw(), accounts() and picture().

@@ -57,7 +57,7 @@ struct LinkSettings {
     LinkTime patience{250'000};
     /// Longest time that the board needs to read a line for check_lines(): some hundred cycles.
     LinkTime line{4};
-    /// All time-outs after the hello are longer by this factor. 1 is a real board.
+    /// Factor of all timeouts after the answer to the hello. 1 is for a real board.
     int slower = 1;
     int tries = 8;    ///< times that a packet is sent without any answer, before the board counts as lost
     int window = 8;   ///< packets in flight, at most link_history

@@ -67,7 +67,7 @@ bool PseudoTerminal::is_left() const {
 }
 
 std::size_t PseudoTerminal::read(std::span<std::uint8_t> in) {
-    // In packet mode a byte precedes the data: 0, or what has happened to the terminal, without data then.
+    // In packet mode a byte precedes the data. It is 0, or it reports an event, and then no data follow.
     std::uint8_t what = 0;
     const iovec parts[] = {{&what, 1}, {in.data(), in.size()}};
     const ssize_t bytes = readv(file_, parts, 2);
@@ -84,7 +84,7 @@ std::size_t PseudoTerminal::write(std::span<const std::uint8_t> out) {
 void PseudoTerminal::wait(LinkTime most) {
     pollfd poller{file_, POLLIN | POLLPRI, 0};
     const auto milliseconds = int(most.count() / 1000);
-    // A terminal that everybody has left ends each poll at once.
+    // While no program has the terminal open, each poll returns at once.
     if (poll(&poller, 1, milliseconds) > 0 && (poller.revents & POLLHUP)) std::this_thread::sleep_for(most);
 }
 

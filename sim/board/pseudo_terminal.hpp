@@ -15,8 +15,8 @@ namespace rayclock {
 /// every byte as it is.
 class PseudoTerminal {
 public:
-    /// `link`: a symbolic link to make to the terminal, which the destructor or a signal's end removes;
-    /// empty: none. Throws UserError if there is such a file already, or if the system has no terminal left.
+    /// `link`: a symbolic link to make to the terminal; empty: none. The destructor removes it, or the signal
+    /// that ends the program. Throws UserError if the file exists, or if the system has no terminal left.
     explicit PseudoTerminal(const std::filesystem::path& link = {});
     ~PseudoTerminal();
     PseudoTerminal(const PseudoTerminal&) = delete;

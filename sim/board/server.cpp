@@ -25,8 +25,8 @@ void serve(SimulatedBoard& board, PseudoTerminal& terminal, const std::function<
         const std::size_t got = queue.size() < most_queued ? terminal.read(in) : 0;
         if (terminal.was_flushed()) {
             // Zeros complete a packet that the last program did not finish, so that the board drops it now.
-            // Until it does so by the silence on its line, it takes a hello for the packet's rest, and here
-            // such a silence would last seconds.
+            // Otherwise the board would take the next hello for the rest of this packet. Its timeout of 20 ms
+            // would not help, because it takes seconds in a simulation.
             out.clear();
             queue.assign(link_packet_most, 0);
         }

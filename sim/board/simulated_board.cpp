@@ -83,8 +83,8 @@ void SimulatedBoard::step() {
     rtl_.settle();
     if (shape_.is_lit) shift();
     to_host_.see(cycle_, tx_ != 0);
-    // The SDRAM's clock is inverted: it samples the pins in the middle of the cycle. Its data reach the input
-    // registers in the next cycle.
+    // The SDRAM's clock lags by three quarters of a period: it samples the pins before the cycle ends. Its
+    // data reach the input registers in the next cycle.
     pins_.set_dq(sdram_.dq().value_or(std::uint16_t(0xdead)));
     sdram_.clock(pins_.get());
     rtl_.clock();

@@ -39,15 +39,16 @@ public:
 
     /// One cycle of the chip.
     void step();
-    /// Presses the reset button: all registers of the board with a reset. The SDRAM and the screen notice
-    /// only what follows at their pins.
+    /// Presses the reset button, which resets all registers of the board that have a reset. It affects the
+    /// SDRAM and the screen only through their pins.
     void reset();
     /// Simulates until the screen has shown that many more whole pictures. Reports its progress in cycles.
     void watch(std::uint64_t pictures, const Progress& progress = {});
 
     std::uint64_t cycle() const { return cycle_; }
     std::uint8_t leds() const { return std::uint8_t(led_); }
-    /// The pins after the last cycle: the wire from the host, the memory's, and the screen's pairs of bits.
+    /// The pins after the last cycle: the wires from and to the host, the memory's pins, and the screen's
+    /// pairs of bits.
     bool rx() const { return rx_ != 0; }
     bool tx() const { return tx_ != 0; }
     SdramChipPins memory_pins() const { return pins_.get(); }

@@ -1,6 +1,6 @@
 // The whole board in four states: Icarus repeats a frame that Verilator has simulated, with registers that
-// are unknown at power-on and read data that are unknown whenever the SDRAM drives none. Every output has its
-// value.
+// are unknown at power-on and read data that are unknown whenever the SDRAM drives none. Every output must
+// have the value that it has in Verilator's simulation.
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -48,8 +48,8 @@ private:
     void step() {
         const SdramChipPins pins = board.memory_pins();
         const std::optional<std::uint16_t> dq = board.sdram().dq();
-        const unsigned leds = board.leds() & 0x9fu;   // without that of rx, and that of the video, which
-                                                      // stands still
+        const unsigned leds = board.leds() & 0x9fu;   // without LED 6, which is rx, and LED 5, which is of
+                                                      // the video, whose clocks stand still
         const bool tx = board.tx();
         board.step();
         const unsigned command = unsigned(pins.cke) << 4 | unsigned(pins.cs_n) << 3 |

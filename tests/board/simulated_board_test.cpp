@@ -81,7 +81,8 @@ private:
     bool ran_ = false;
 };
 
-/// Two boards that get the same bytes, one of which has no clock gate: their pins are equal in every cycle.
+/// Two boards that get the same bytes, one of them without a clock gate. Their pins must be equal in every
+/// cycle.
 class TwinBoards : public Channel {
 public:
     TwinBoards(const Config& config, BoardShape shape)

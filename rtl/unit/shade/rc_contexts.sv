@@ -28,8 +28,8 @@ module rc_contexts #(
   input  logic                         closest_fires_i,
   input  logic [RayBits-1:0]           closest_ray_i,
   input  logic [HitW-1:0]              closest_hit_i,
-  // The instance that was hit: its line, a, b. With textures: its scale, or that of a cut-out
-  // in the way to a light
+  // The instance that was hit: its line, a, b. With textures also the texel scale: of this
+  // instance, or of the instance of a cut-out in the way to a light
   input  logic                         place_fires_i,
   input  logic                         scale_fires_i,
   input  logic [RayBits-1:0]           place_ray_i,

@@ -143,8 +143,8 @@ module rc_shade (
   localparam int unsigned RecordAt  = rc_pkg::SurfaceW - 8 - AddrBits;
 
   // placing: the line that comes is an instance or its material. keeps: an instance is accepted for
-  // a hit, not for a cut-out in the way to a light. placed: for either. taken: an instance or its
-  // material is accepted. came: a surface has come.
+  // a hit, not for a cut-out in the way to a light. placed: an instance is accepted for either.
+  // taken: an instance or its material is accepted. came: a surface has come.
   logic              placing, keeps, placed, taken, came;
   logic [rc_pkg::SurfRspW-1:0] surf_rsp;
   logic [rc_pkg::SurfaceW-1:0] surface_found;

@@ -21,7 +21,7 @@ constexpr std::uint32_t port_baud = 3'000'000;
 /// Cycles of a bit on the wire of a simulated board: few, because each cycle costs time. rc_baud needs
 /// at least four.
 constexpr int simulated_cycles_per_bit = 5;
-/// A board that another process simulates has about 0.15 million cycles per second instead of 75 million.
+/// A board that another process simulates runs at about 0.15 million cycles per second instead of 75 million.
 constexpr int patience_with_simulation = 500;
 
 std::uint32_t simulated_baud(int khz) { return std::uint32_t(khz) * 1000 / simulated_cycles_per_bit; }
