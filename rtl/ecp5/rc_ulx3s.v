@@ -56,7 +56,7 @@ module rc_ulx3s #(
     .CLKOP_ENABLE("ENABLED"), .CLKOP_DIV(CHIP_DIV), .CLKOP_CPHASE(5), .CLKOP_FPHASE(0),
     .CLKOS_ENABLE("ENABLED"), .CLKOS_DIV(BIT_DIV), .CLKOS_CPHASE(5), .CLKOS_FPHASE(0),
     .CLKOS2_ENABLE("ENABLED"), .CLKOS2_DIV(DOT_DIV), .CLKOS2_CPHASE(5), .CLKOS2_FPHASE(0),
-    // Later than CLKOP by 7 4/8 periods of the VCO, of 10.
+    // Later than CLKOP by 7 4/8 of the 10 VCO periods in a period of the chip's clock.
     .CLKOS3_ENABLE("ENABLED"), .CLKOS3_DIV(CHIP_DIV), .CLKOS3_CPHASE(12), .CLKOS3_FPHASE(4)
   ) u_pll (
     .RST(1'b0), .STDBY(1'b0), .CLKI(clk_25mhz), .CLKFB(clk),
@@ -106,8 +106,8 @@ module rc_ulx3s #(
 
   assign wifi_gpio0 = 1'b1;
 
-  // ---- Cells at the pins. Each data pin has a register of its own that disables it. rayclock chip
-  // moves the other registers of the SDRAM into the cells of their pins.
+  // ---- Cells at the pins. Each data pin has a register of its own that disables its output.
+  // `rayclock chip` moves the other registers at the SDRAM's pins into the cells of the pins.
   genvar i;
   generate
     for (i = 0; i < 16; i = i + 1) begin : gen_dq
