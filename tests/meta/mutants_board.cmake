@@ -75,7 +75,8 @@ mutant(model_board_has_one_sdram FILE model/board/board_memory.cpp TEST board "t
 mutant(host_shows_the_last_picture FILE sim/board/host.cpp TEST board "a frame of a camera's chip*"
   OLD [[    link_.write(BoardRegister::base, drawn);]]
   NEW [[]])
-mutant(host_gives_out_a_frame_that_was_cut_off FILE sim/board/host.cpp TEST board "a reset in the middle of a*"
+mutant(host_gives_out_a_frame_that_was_cut_off FILE sim/board/host.cpp TEST board
+  "a reset in the middle of a*"
   OLD [[if (!(link_.read(BoardRegister::status) & status_written))]]
   NEW [[if (false)]])
 mutant(server_leaves_half_a_packet FILE sim/board/server.cpp TEST board "a program that was cut off*"
