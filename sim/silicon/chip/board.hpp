@@ -26,8 +26,8 @@ std::string board_pins();
 /// (sim/board/identity.hpp).
 std::string board_parameters(const Config& config, int khz);
 
-/// Returns commands of Yosys that place the registers at the SDRAM's pins in the pins' own cells. So the times
-/// between registers and pins do not depend on the placement. They fail if a register is missing.
+/// Returns commands of Yosys that place the registers at the SDRAM's pins in the pins' own cells. So the
+/// times between registers and pins do not depend on the placement. They fail if a register is missing.
 std::string pin_registers();
 
 /// Makes a bitstream of a textual configuration written by nextpnr. Both names are relative to the folder.
