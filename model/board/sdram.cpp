@@ -31,7 +31,8 @@ Sdram::Held Sdram::decode(const Request& request) const {
     return held;
 }
 
-/// Returns the activation or precharge that the selected request needs, if its gates allow it in this cycle.
+/// Returns the activation or precharge that the selected request needs, if its timings allow it in this
+/// cycle.
 Sdram::Decision Sdram::decide_row(const Held& request) const {
     const Bank& bank = banks_[request.bank];
     Decision d{SdramCommand::nop, request.bank, request.row, false};

@@ -1,5 +1,5 @@
 #pragma once
-// Figures of the SDR SDRAM chips that ULX3S boards carry, and the gates in clocks of a controller.
+// Figures of the SDR SDRAM chips that ULX3S boards carry, and the timings of a controller in clocks.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -34,7 +34,7 @@ const SdramPart& sdram_part(const std::string& name);
 const std::vector<SdramPart>& sdram_parts();
 
 /// Gates in clocks of the controller, and its other parameters. Mirror of the parameters of
-/// rtl/board/rc_sdram.sv: gates are rounded up with the period rounded down to 1 ps, and the interval of
+/// rtl/board/rc_sdram.sv: timings are rounded up with the period rounded down to 1 ps, and the interval of
 /// refreshes is rounded down with the period rounded up.
 struct SdramClocks {
     int row_bits = 0, column_bits = 0;

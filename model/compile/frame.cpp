@@ -54,7 +54,7 @@ Frame make_frame(const Camera& camera, FrameSize size, const Lattice& lattice, c
     if (camera.window) {   // the rays of the whole picture, from the window's first pixel on
         Camera whole = camera;
         whole.window.reset();
-        Frame frame = make_frame(whole, whole_size(camera, size), lattice, config);
+        Frame frame = make_frame(whole, whole_size(camera.window, size), lattice, config);
         for (int k = 0; k < 3; ++k)
             frame.corner[k] += camera.window->x * frame.right[k] + camera.window->y * frame.down[k];
         frame.width = std::uint32_t(size.width);

@@ -182,9 +182,7 @@ std::vector<std::uint32_t> write_textures(const Scene& scene, const Lattice& lat
 }
 
 std::int32_t spread_of(const Camera& camera, std::uint32_t height, int samples_per_side) {
-    const FrameSize whole = whole_size(camera, {0, int(height)});
-    const double spread = sample_spread(camera.fov_degrees, whole.height, samples_per_side);
-    return level_number(std::log2(spread) - length_bias);
+    return level_number(std::log2(sample_spread(camera, {0, int(height)}, samples_per_side)) - length_bias);
 }
 
 }   // namespace rayclock

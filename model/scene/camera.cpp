@@ -125,7 +125,7 @@ View view_of(const Camera& camera, const std::string& where) {
 }
 
 PixelRays pixel_rays(const Camera& camera, FrameSize size) {
-    const FrameSize whole = whole_size(camera, size);
+    const FrameSize whole = whole_size(camera.window, size);
     check_frame_size(size);
     check_frame_size(whole);
     const View view = view_of(camera, "camera");
@@ -137,6 +137,11 @@ PixelRays pixel_rays(const Camera& camera, FrameSize size) {
     rays.corner = view.forward - 0.5 * (whole.width - 1) * rays.right - 0.5 * (whole.height - 1) * rays.down;
     if (camera.window) rays.corner = rays.direction(camera.window->x, camera.window->y);
     return rays;
+}
+
+double sample_spread(const Camera& camera, FrameSize size, int samples_per_side) {
+    const int height = whole_size(camera.window, size).height;
+    return 2 * std::tan(glm::radians(camera.fov_degrees) / 2) / height / samples_per_side;
 }
 
 Camera fit_camera(const Scene& scene, double aspect) {

@@ -14,9 +14,9 @@ struct FrameSize {
 };
 constexpr int max_frame_side = 16384;
 
-/// Returns the size of the whole picture if the camera has a window, otherwise `size`.
-inline FrameSize whole_size(const Camera& camera, FrameSize size) {
-    return camera.window ? FrameSize{camera.window->whole_width, camera.window->whole_height} : size;
+/// Returns the size of the whole picture if there is a window, otherwise `size`.
+inline FrameSize whole_size(const std::optional<PictureWindow>& window, FrameSize size) {
+    return window ? FrameSize{window->whole_width, window->whole_height} : size;
 }
 
 /// Throws UserError unless both sides lie in 1..max_frame_side.
@@ -32,9 +32,13 @@ struct PixelRays {
 };
 
 /// Returns the map of a camera: w = unit(at - eye), r = unit(w x up), v = r x w; half height tan(fov / 2),
-/// square pixels (as in Haines' SPD, with the angle measured to the picture's edges). If the camera has a
-/// window, the map is that of the whole picture, and pixel (0, 0) is the window's. Throws UserError if the
-/// camera or the size is not valid.
+/// square pixels (as in Haines' SPD, with the angle measured to the picture's edges). The camera may have
+/// a window: a part of a larger picture. Then the rays are those of the larger picture, and pixel (0, 0) is
+/// the first pixel of the part. Throws UserError if the camera or the size is not valid.
 PixelRays pixel_rays(const Camera& camera, FrameSize size);
+
+/// Returns the angle between the rays of neighbouring samples: 2 tan(fov / 2) / height of the whole picture /
+/// samples per side.
+double sample_spread(const Camera& camera, FrameSize size, int samples_per_side);
 
 }   // namespace rayclock

@@ -155,8 +155,7 @@ Picture shade(const Scene& scene, const HitFrame& frame, const Progress& progres
     const glm::dvec3 eye = scene.camera->eye;
     const std::optional<InstancedTriangles> instanced =
         is_folded(scene) ? std::make_optional<InstancedTriangles>(*scene.placed) : std::nullopt;
-    const double spread =
-        sample_spread(scene.camera->fov_degrees, whole_size(*scene.camera, frame.size).height, 1);
+    const double spread = sample_spread(*scene.camera, frame.size, 1);
     const PixelRays rays = !scene.spheres.empty() ? pixel_rays(*scene.camera, frame.size) : PixelRays{};
     Picture picture{frame.size, std::vector<glm::vec3>(frame.hits.size(), glm::vec3(scene.background))};
     std::mutex reporting;

@@ -282,10 +282,6 @@ Texture octahedral_picture(const Texture& texture, const glm::dmat3& turn) {
     return around;
 }
 
-double sample_spread(double fov_degrees, int picture_height, int samples_per_side) {
-    return 2 * std::tan(glm::radians(fov_degrees) / 2) / picture_height / samples_per_side;
-}
-
 double level_of_detail(double detail, double distance, double spread, double cosine) {
     const double foreshortening = -std::log2(std::clamp(std::abs(cosine), least_cosine, 1.0));
     return std::log2(distance * spread) + detail + foreshortening_share * foreshortening;

@@ -121,9 +121,6 @@ int octahedral_side(const Texture& texture);
 /// clamps at its edges.
 Texture octahedral_picture(const Texture& texture, const glm::dmat3& turn);
 
-/// Returns the angle between the rays of neighbouring samples: 2 tan(fov / 2) / picture height / samples per
-/// side.
-double sample_spread(double fov_degrees, int picture_height, int samples_per_side);
 /// Returns the level of detail, not yet rounded. `distance` is the length of the path from the eye in scene
 /// units. `cosine`: the cosine of the angle between the ray and the shading normal; its sign does not matter.
 double level_of_detail(double detail, double distance, double spread, double cosine);

@@ -99,7 +99,8 @@ module rc_board #(
   logic                           colour_empty, writer_empty, chip_rst_n_q;
 
   // While the host holds the chip in reset, frame control and the conversion are reset too. The
-  // pixel writer writes its partial blocks. At power-on they are in reset before the first edge.
+  // pixel writer writes its partial blocks. At power-on all three are in reset before the first
+  // edge: chip, frame control and conversion.
   initial chip_rst_n_q = 1'b0;
   always_ff @(posedge clk_i) chip_rst_n_q <= rst_ni && !chip_reset;
 

@@ -13,7 +13,7 @@
 // Timing. A command that is decided in cycle d is on the pins in cycle d + 1. Write data are taken
 // in the cycle of the decision and in the seven that follow. Read data are captured at the end of
 // cycle d + Cl + ReadDelay and are on rd_data_o one cycle later. The comparison of a request's row
-// with the open row of its bank takes a cycle; a stream of requests hides it. The gates are in
+// with the open row of its bank takes a cycle; a stream of requests hides it. The timings are in
 // ps, and the module computes clocks from them, rounded up. model/board/sdram.hpp is the model.
 //
 // ReadDelay is the number of clocks by which read data reach the input registers late. It is 0 if
@@ -76,7 +76,7 @@ module rc_sdram #(
   output logic             sd_dq_oe_next_o,   // sd_dq_oe_o in the next cycle
   input  logic [15:0]      sd_dq_i
 );
-  // ---- Gates in clocks. The shorter bound of the period makes gates longer, the longer bound
+  // ---- Timings in clocks. The shorter bound of the period makes them longer, the longer bound
   // makes the interval of refreshes shorter.
   localparam int unsigned ShortPs   = 1_000_000_000 / ClkKhz;
   localparam int unsigned LongPs    = (1_000_000_000 + ClkKhz - 1) / ClkKhz;

@@ -16,7 +16,6 @@
 #include "sim/files/output.hpp"
 #include "sim/files/process/stopping.hpp"
 #include "sim/files/table.hpp"
-#include "sim/run/request/request.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/text.hpp"
 
@@ -67,9 +66,7 @@ struct LoadedBoard {
         sdram_part(o.sdram);   // throws
         std::unique_ptr<Port> port = open_port(o);
         config = load_config(o.config);
-        config.board_sdram = o.sdram;
-        check_board(config);
-        khz = board_clock(o, config);
+        khz = settle_board(o, config);
         session.emplace(o, config, khz, std::move(port));
     }
     BoardHost& host() { return session->host(); }
@@ -81,19 +78,11 @@ struct LoadedBoard {
 };
 
 int load_scene_on_board(const BoardOptions& o) {
-    const FrameSize size = parse_size(o.size);
     const Progress progress = stopping(terminal_progress());
-    o.json.check();
-    sdram_part(o.sdram);   // throws
-    std::unique_ptr<Port> port = open_port(o);
-    Request request = request_of(o.scene, o.config, o.finish, 1, size, progress, o.view);
-    request.config.board_sdram = o.sdram;
-    const Config config = request.config;
-    check_board(config);
-    const int khz = board_clock(o, config);
-    const std::string name = request.scene.name;
-    BoardSession session(o, config, khz, std::move(port));
-    Film film(std::move(request), o.frames, o.view.is_given(), size, progress);
+    BoardAsk ask = ask_of(o, progress);
+    const std::string name = ask.request.scene.name;
+    BoardSession session(o, ask.request.config, ask.khz, std::move(ask.port));
+    Film film(std::move(ask.request), o.frames, o.view.is_given(), ask.size, progress);
     film.next();
     const Stopwatch watch;
     std::uint64_t done = 0;
@@ -220,11 +209,15 @@ void check_meaning(const Action& action, const BoardOptions& o) {
     } else if (o.scene.empty()) {
         throw UserError(fmt::format("{}: SCENE is missing", name));
     }
-    refuse(name == "load" && (o.frames.frames != 1 || o.frames.pan != 0), "an option of several frames");
+    FramesOptions one = o.frames;   // with the moment of the frame
+    one.fps = none.frames.fps, one.time = none.frames.time;
+    refuse(name == "load" && one.is_given(), "an option of several frames");
     refuse(o.lines && name != "read", "--lines");
     refuse(o.cycles > 0 && name != "serve", "--cycles");
     refuse(!o.output.empty() && name != "check" && name != "read" && name != "serve", "-o");
     refuse(o.dark && name != "check" && name != "serve", "--dark");
+    refuse(o.patience && name == "serve", "--patience");
+    if (o.patience && o.is_simulated()) throw UserError("--patience needs --port");
     if (action.needs_port && o.is_simulated())
         throw UserError(
             fmt::format("{} needs --port: a board simulated in this process ends with it, while 'rayclock "

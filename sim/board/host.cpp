@@ -72,10 +72,10 @@ void BoardHost::update(const Upload& upload) {
 }
 
 void BoardHost::wait_for(std::uint32_t bit, LinkTime most, const char* event) {
-    const LinkTime end = link_.now() + most * link_.slower();
+    const LinkTime longest = most * link_.slower(), end = link_.now() + longest;
     for (bool is_last = false; !(link_.read(BoardRegister::status) & bit); is_last = link_.now() >= end)
         if (is_last)
-            throw UserError(fmt::format("the board hangs: {} after {} ms", event, most.count() / 1000));
+            throw UserError(fmt::format("the board hangs: {} after {} ms", event, longest.count() / 1000));
 }
 
 std::uint64_t BoardHost::read_counter(std::uint32_t address) {
@@ -123,7 +123,7 @@ BoardTiming BoardHost::timing() {
 }
 
 std::uint32_t BoardHost::underruns(LinkTime after) {
-    for (const LinkTime end = link_.now() + after;;) {
+    for (const LinkTime end = link_.now() + after * link_.slower();;) {
         const bool is_last = link_.now() >= end;
         const std::uint32_t underruns = link_.read(BoardRegister::underruns);
         if (is_last) return underruns;

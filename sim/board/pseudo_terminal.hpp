@@ -15,8 +15,9 @@ namespace rayclock {
 /// every byte as it is.
 class PseudoTerminal {
 public:
-    /// `link`: a symbolic link to make to the terminal; empty: none. The destructor removes it, or the signal
-    /// that ends the program. Throws UserError if the file exists, or if the system has no terminal left.
+    /// `link`: a symbolic link to make to the terminal; empty: none. The destructor removes it. So does a
+    /// signal that ends the program. Throws UserError if the file exists, or if the system has no terminal
+    /// left.
     explicit PseudoTerminal(const std::filesystem::path& link = {});
     ~PseudoTerminal();
     PseudoTerminal(const PseudoTerminal&) = delete;

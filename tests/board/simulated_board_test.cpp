@@ -12,6 +12,7 @@
 #include "sim/run/frame/frame.hpp"
 #include "sim/run/request/request.hpp"
 #include "sim/run/rtl/sources.hpp"
+#include "tests/board/stepped_board.hpp"
 #include "tests/support/machine/frames.hpp"
 
 namespace rayclock::test::simulated_board_test {
@@ -45,28 +46,17 @@ BoardShape shape_of(const Setting& s) {
 
 /// The channel of a board that also follows its beam: the LEDs must show cycle 0 at the model's distance from
 /// the vertical blank.
-class WatchedBoard : public Channel {
+class WatchedBoard : public SteppedBoard {
 public:
     WatchedBoard(const Config& config, const BoardShape& shape)
-        : board(config, shape), beam_({.chip_khz = std::uint32_t(shape.khz)}) {
+        : SteppedBoard(config, shape), beam_({.chip_khz = std::uint32_t(shape.khz)}) {
         for (std::uint64_t i = 0; i < board.cycle(); ++i) beam_.clock({});
     }
 
-    Moved exchange(std::span<const std::uint8_t> out, std::span<std::uint8_t> in, LinkTime most) override {
-        Moved moved = board.exchange(out, in, LinkTime(0));
-        for (const LinkTime end = board.now() + most; moved.read == 0 && board.now() < end;) {
-            step();
-            moved.read = board.exchange({}, in, LinkTime(0)).read;
-        }
-        return moved;
-    }
-    LinkTime now() override { return board.now(); }
-
-    SimulatedBoard board;
     std::vector<std::uint64_t> starts;   ///< cycles from the blank to cycle 0, of each frame
 
 private:
-    void step() {
+    void step() override {
         const bool armed = board.leds() >> 1 & 1, runs = board.leds() >> 2 & 1;
         if (beam_.takes()) taken_at_ = board.cycle();
         if (runs && !ran_) starts.push_back(board.cycle() - taken_at_);
@@ -81,12 +71,17 @@ private:
     bool ran_ = false;
 };
 
+BoardShape with_gate(BoardShape shape, bool gates_clock) {
+    shape.gates_clock = gates_clock;
+    return shape;
+}
+
 /// Two boards that get the same bytes, one of them without a clock gate. Their pins must be equal in every
 /// cycle.
 class TwinBoards : public Channel {
 public:
-    TwinBoards(const Config& config, BoardShape shape)
-        : gated_(config, shape), plain_(config, (shape.gates_clock = false, shape)) {}
+    TwinBoards(const Config& config, const BoardShape& shape)
+        : gated_(config, with_gate(shape, true)), plain_(config, with_gate(shape, false)) {}
 
     Moved exchange(std::span<const std::uint8_t> out, std::span<std::uint8_t> in, LinkTime most) override {
         for (SimulatedBoard* board : {&gated_, &plain_})
@@ -145,6 +140,13 @@ std::vector<Bytes> on_screen(FrameSize size, const std::vector<Bytes>& bytes) {
     return screen;
 }
 
+LinkSettings settings_of(const Setting& s) {
+    LinkSettings settings;
+    settings.baud = shape_of(s).baud;
+    settings.hello = 1;
+    return settings;
+}
+
 /// Draws frames on the board and on the model, and requires that everything is equal. The camera turns,
 /// unless the scene moves.
 void require_equal_frames(const Setting& s, int frames) {
@@ -170,10 +172,7 @@ void require_equal_frames(const Setting& s, int frames) {
     const std::vector<FrameTiming> model = replay(config, s.khz, recorded);
 
     WatchedBoard watched(config, shape_of(s));
-    LinkSettings settings;
-    settings.baud = shape_of(s).baud;
-    settings.hello = 1;
-    BoardLink link(watched, settings);
+    BoardLink link(watched, settings_of(s));
     BoardHost host(link, config, sdram_part(s.sdram));
     std::uint64_t done = 0;
     host.load(jobs[0].image, done);
@@ -218,13 +217,6 @@ struct ModelFrame {
     FrameTiming timing;
     std::vector<Bytes> pixels;
 };
-
-LinkSettings settings_of(const Setting& s) {
-    LinkSettings settings;
-    settings.baud = shape_of(s).baud;
-    settings.hello = 1;
-    return settings;
-}
 
 /// The channel of a board whose reset button is pressed once, in the middle of a frame.
 class ResetBoard : public Channel {

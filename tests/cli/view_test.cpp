@@ -102,3 +102,14 @@ TEST_CASE("a part of a picture has its rays, and the report says which part it i
     CHECK(part["camera"]["window"] == json{{"x", 18}, {"y", 10}, {"whole_width", 32}, {"whole_height", 24}});
     CHECK(simulated({})["camera"]["window"].is_null());
 }
+
+TEST_CASE("a part of a picture is judged with the texture levels of the whole picture") {
+    // Light that falls through leaves: with the levels of a picture of 20 rows, two of these pixels are bugs.
+    const Outcome outcome = run_program({"simulate", "room", "--depth", "2", "--size", "1024x768", "--pixels",
+                                         "256,700,256x20", "--clock", "66", "--json", "-"});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const json report = json::parse(outcome.out);
+    CHECK(report["error"]["causes"]["bug"] == 0);
+    CHECK(report["error"]["causes"]["texture"] > 1000);
+}

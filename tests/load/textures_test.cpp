@@ -462,7 +462,7 @@ TEST_CASE("json: patterns are painted by their formulas") {
     CHECK(std::ranges::count(level.texels, white) >= 1);   // stretched to both ends
     CHECK(std::ranges::count(level.texels, black) >= 1);
     // No seam. One octave has its random values in every 16th column, so neighbouring columns differ little.
-    // The first and the last column differ no more than any other neighbours, and so do the rows.
+    // The first and the last column differ no more than neighbouring columns do. The same holds for rows.
     other = noise;
     other["size"] = 64, other["columns"] = 4, other["rows"] = 4, other["octaves"] = 1;
     level = picture(other);

@@ -60,6 +60,14 @@ mutant(rule_camera_rays_rounded_down FILE model/unit/raygen/raygen.cpp TEST simu
   FILE2 sim/judge/paths/camera.cpp
   OLD2 [[nearest_of(sum[k], unit)]]
   NEW2 [[floor_of(sum[k], unit)]])
+mutant(rule_window_without_its_rows FILE model/compile/frame.cpp TEST simulate
+  "gears:1 --pixels 10,20,20x12"
+  OLD [[camera.window->x * frame.right[k] + camera.window->y * frame.down[k];]]
+  NEW [[camera.window->x * frame.right[k] + 0 * frame.down[k];]])
+mutant(rule_window_with_levels_of_its_own FILE model/compile/textures.cpp TEST simulate
+  "room --depth 1 --size 512x384 --pixels 150,150,200x60"
+  OLD [[sample_spread(camera, {0, int(height)}, samples_per_side)]]
+  NEW [[sample_spread(Camera{camera.eye, camera.at, camera.up, camera.fov_degrees}, {0, int(height)}, samples_per_side)]])
 mutant(rule_eye_one_step_aside FILE model/compile/frame.cpp TEST simulate "gears:1"
   OLD [[frame.eye = lattice.snap(rays.eye);]]
   NEW [[frame.eye = lattice.snap(rays.eye + lattice.pitch);]])

@@ -86,7 +86,7 @@ TEST_CASE("mirrors lengthen the path", "[reference][texture]") {
     wall.scene.camera = Camera{{3, 1, 2}, {3, 1, 4}, {0, 1, 0}, 10};
     const Reference reference(wall.scene);
     // The spread of one row of 10 degrees.
-    const double lod = std::log2(6 * sample_spread(10, 1, 1));
+    const double lod = std::log2(6 * sample_spread({.fov_degrees = 10}, {1, 1}, 1));
     const int wanted = std::max(0, int(std::floor(lod + 0.5)));
     check_colour(reference.whitted(*wall.scene.camera, {1, 1}, {.depth = 1}).pixels[0], wall.colour(wanted));
     wall.scene.camera->fov_degrees = 90;   // 12 units wide: log2 12 = 3.6

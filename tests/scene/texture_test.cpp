@@ -198,7 +198,7 @@ TEST_CASE("The level follows distance, angle and density", "[scene][texture]") {
     // 4 x 1 texels on 4 x 4 units: half a texel per unit.
     CHECK(texture_detail(scene, 0) == Approx(-1));
     CHECK(texture_detail(scene, 1) == Approx(-1));
-    const double spread = sample_spread(90, 100, 2);
+    const double spread = sample_spread({.fov_degrees = 90}, {100, 100}, 2);
     CHECK(spread == Approx(0.01));
     CHECK(level_of_detail(-1, 400, spread, 1) == Approx(1));
     CHECK(level_of_detail(-1, 400, spread, -0.25) == Approx(1 + 2 * foreshortening_share));

@@ -18,13 +18,18 @@ template <class Number> bool parse_whole(std::string_view text, Number& number) 
     return error == std::errc{} && end == text.data() + text.size() && !text.empty();
 }
 
+/// WIDTHxHEIGHT
+bool parse_sides(std::string_view text, FrameSize& size) {
+    const std::size_t cross = text.find('x');
+    return cross != text.npos && parse_whole(text.substr(0, cross), size.width) &&
+           parse_whole(text.substr(cross + 1), size.height);
+}
+
 }   // namespace
 
 FrameSize parse_size(const std::string& text) {
-    const std::size_t cross = text.find('x');
     FrameSize size;
-    if (cross == std::string::npos || !parse_whole(std::string_view(text).substr(0, cross), size.width) ||
-        !parse_whole(std::string_view(text).substr(cross + 1), size.height))
+    if (!parse_sides(text, size))
         throw UserError("--size: " + shown(text) + " is not WIDTHxHEIGHT, for example 512x384");
     check_frame_size(size);
     constexpr int most = 1 << 26;   // fits in a few gigabytes of host memory
@@ -51,10 +56,8 @@ FrameSize parse_part(const std::string& size, const std::optional<std::string>& 
     const std::vector<std::string> parts = split(*pixels, ',');
     PictureWindow window{0, 0, whole.width, whole.height};
     FrameSize part;
-    const std::size_t cross = parts.size() == 3 ? parts[2].find('x') : std::string::npos;
-    if (cross == std::string::npos || !parse_whole(parts[0], window.x) || !parse_whole(parts[1], window.y) ||
-        !parse_whole(std::string_view(parts[2]).substr(0, cross), part.width) ||
-        !parse_whole(std::string_view(parts[2]).substr(cross + 1), part.height))
+    if (parts.size() != 3 || !parse_whole(parts[0], window.x) || !parse_whole(parts[1], window.y) ||
+        !parse_sides(parts[2], part))
         throw UserError("--pixels: " + shown(*pixels) +
                         " is not COLUMN,ROW,WIDTHxHEIGHT, for example 400,300,64x48");
     const bool is_inside = window.x >= 0 && window.y >= 0 && part.width >= 1 && part.height >= 1 &&
@@ -153,17 +156,11 @@ double parse_any_percent(const std::string& option, const std::string& typed) {
 }
 
 std::pair<std::uint64_t, std::uint64_t> parse_lines(const std::string& text) {
-    const auto number = [&](std::string_view word) {
-        std::uint64_t value = 0;
-        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-        if (error != std::errc() || end != word.data() + word.size())
-            throw UserError("--lines: " + shown(text) + " is not FIRST:COUNT, such as 0:16");
-        return value;
-    };
     const std::size_t colon = text.find(':');
-    const std::uint64_t first = number(std::string_view(text).substr(0, colon));
-    const std::uint64_t count =
-        colon == text.npos ? number({}) : number(std::string_view(text).substr(colon + 1));
+    std::uint64_t first = 0, count = 0;
+    if (colon == text.npos || !parse_whole(std::string_view(text).substr(0, colon), first) ||
+        !parse_whole(std::string_view(text).substr(colon + 1), count))
+        throw UserError("--lines: " + shown(text) + " is not FIRST:COUNT, such as 0:16");
     if (count == 0) throw UserError("--lines: " + shown(text) + " has no lines");
     return {first, count};
 }

@@ -10,6 +10,7 @@
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
 #include "sim/app/parts/board_session.hpp"
+#include "sim/board/server.hpp"
 #include "sim/app/run/film_strip.hpp"
 #include "sim/app/run/picture_folder.hpp"
 #include "sim/files/image/image.hpp"
@@ -166,26 +167,21 @@ nlohmann::ordered_json json_of(const BoardCheck& check) {
 }   // namespace
 
 int check_frames(const BoardOptions& o) {
-    const FrameSize size = parse_size(o.size);
     const Progress progress = stopping(terminal_progress());
-    o.json.check();
     if (!o.output.empty()) check_picture_folder(o.output, {"model.png", "board.png", "screen.png"});
-    sdram_part(o.sdram);   // throws
-    std::unique_ptr<Port> port = open_port(o);
-    Request request = request_of(o.scene, o.config, o.finish, 1, size, progress, o.view);
-    request.config.board_sdram = o.sdram;
-    const Config config = request.config;
-    check_board(config);
-    const int khz = board_clock(o, config);
+    BoardAsk ask = ask_of(o, progress);
+    const FrameSize size = ask.size;
+    const Config config = ask.request.config;
+    const int khz = ask.khz;
     if (o.frames.uploads != FramesOptions{}.uploads)
         throw UserError("--uploads " + shown(o.frames.uploads) +
                         ": a board's host writes only between frames");
-    const std::string name = request.scene.name;
-    Film film(std::move(request), o.frames, o.view.is_given(), size, progress);
+    const std::string name = ask.request.scene.name;
+    Film film(std::move(ask.request), o.frames, o.view.is_given(), size, progress);
     if (!o.output.empty() && film.frames() > 1) check_film_folder(o.output, film.frames());
     // Another bitstream is refused before the model's work.
     std::optional<BoardSession> session;
-    if (port) session.emplace(o, config, khz, std::move(port));
+    if (ask.port) session.emplace(o, config, khz, std::move(ask.port));
     Recorded recorded;
     for (std::size_t f = 0; f < film.frames(); ++f) {
         film.next();
@@ -221,8 +217,7 @@ int check_frames(const BoardOptions& o) {
         check.faults = screen_faults(*board);
     }
     // A short frame ends before the screen shows it.
-    constexpr LinkTime three_periods{51'000};
-    check.underruns = host.underruns(board ? LinkTime(0) : three_periods);
+    check.underruns = host.underruns(board ? LinkTime(0) : three_screen_periods);
     if (board) {
         const std::vector<std::string> faults = memory_faults(*board);
         check.faults.insert(check.faults.end(), faults.begin(), faults.end());

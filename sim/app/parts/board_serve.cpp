@@ -24,9 +24,7 @@ int serve_board(const BoardOptions& o) {
     if (!o.output.empty() && o.dark) throw UserError("--dark: there is no screen for the picture of -o");
     sdram_part(o.sdram);   // throws
     Config config = load_config(o.config);
-    config.board_sdram = o.sdram;
-    check_board(config);
-    const int khz = board_clock(o, config);
+    const int khz = settle_board(o, config);
     const std::unique_ptr<SimulatedBoard> board = simulate_board(o, config, khz);
     const bool talks = !o.json.is_alone();
     const Stopwatch watch;

@@ -21,7 +21,8 @@ constexpr std::uint32_t port_baud = 3'000'000;
 /// Cycles of a bit on the wire of a simulated board: few, because each cycle costs time. rc_baud needs
 /// at least four.
 constexpr int simulated_cycles_per_bit = 5;
-/// A board that another process simulates runs at about 0.15 million cycles per second instead of 75 million.
+/// A board that another process simulates runs at about 0.15 million cycles per second while it draws,
+/// instead of 75 million.
 constexpr int patience_with_simulation = 500;
 
 std::uint32_t simulated_baud(int khz) { return std::uint32_t(khz) * 1000 / simulated_cycles_per_bit; }
@@ -45,7 +46,10 @@ private:
 
 }   // namespace
 
-int board_clock(const BoardOptions& o, const Config& config) {
+int settle_board(const BoardOptions& o, Config& config) {
+    config.board_sdram = o.sdram;
+    if (!config.is_board())
+        throw UserError("board needs a configuration with dram=board, such as ulx3s-board");
     const int khz = one_clock_of(o.clock, config);
     // A screen period must last a whole number of cycles. Otherwise the cycles of a frame would depend on the
     // number of periods before it.
@@ -58,9 +62,14 @@ int board_clock(const BoardOptions& o, const Config& config) {
     return khz;
 }
 
-void check_board(const Config& config) {
-    if (!config.is_board())
-        throw UserError("board needs a configuration with dram=board, such as ulx3s-board");
+BoardAsk ask_of(const BoardOptions& o, const Progress& progress) {
+    BoardAsk ask{parse_size(o.size), nullptr, {}};
+    o.json.check();
+    sdram_part(o.sdram);   // throws
+    ask.port = open_port(o);
+    ask.request = request_of(o.scene, o.config, o.finish, 1, ask.size, progress, o.view);
+    ask.khz = settle_board(o, ask.request.config);
+    return ask;
 }
 
 std::unique_ptr<Port> open_port(const BoardOptions& o) {

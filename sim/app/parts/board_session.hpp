@@ -9,6 +9,7 @@
 #include "sim/board/host.hpp"
 #include "sim/board/port.hpp"
 #include "sim/board/simulated_board.hpp"
+#include "sim/run/request/request.hpp"
 
 namespace rayclock {
 
@@ -31,10 +32,18 @@ struct BoardOptions {
     bool is_simulated() const { return port == simulated_port; }
 };
 
-/// Returns the clock in kHz. Throws UserError if the board cannot have it.
-int board_clock(const BoardOptions& o, const Config& config);
-/// Throws UserError if the configuration is not a board's.
-void check_board(const Config& config);
+/// Gives a configuration the board's SDRAM, and returns the clock in kHz. Throws UserError if the
+/// configuration is not a board's, or if the board cannot have the clock.
+int settle_board(const BoardOptions& o, Config& config);
+/// What a command asks of a board: frames of a scene. The port is open; none for a simulated board.
+struct BoardAsk {
+    FrameSize size;
+    std::unique_ptr<Port> port;
+    Request request;
+    int khz = 0;
+};
+/// Throws UserError for an option that the board cannot follow.
+BoardAsk ask_of(const BoardOptions& o, const Progress& progress);
 /// Opens the port; none for a simulated board. Throws UserError.
 std::unique_ptr<Port> open_port(const BoardOptions& o);
 /// Returns the board under Verilator. Builds the RTL if necessary. Throws UserError.
@@ -48,8 +57,7 @@ public:
     ~BoardSession();
 
     BoardHost& host() { return *host_; }
-    const SimulatedBoard* simulated() const { return simulated_.get(); }   ///< null at a port
-    SimulatedBoard* simulated() { return simulated_.get(); }
+    SimulatedBoard* simulated() { return simulated_.get(); }   ///< null at a port
 
 private:
     std::unique_ptr<Port> port_;

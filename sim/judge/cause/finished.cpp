@@ -46,7 +46,8 @@ public:
     explicit SeamWatch(const SeamFinder& seams) : seams_(seams) {}
     void sent(const Ray& ray) override { ray_ = ray; }
     void answered(const Closest& hit) override {
-        // Every line meets the cut-outs that this ray ignores. The guide tests their holes.
+        // The seam search does not know which cut-outs this ray ignores, and would report them as hits. The
+        // guide tests their holes.
         if (ray_.holes > 0 && !hit.found) return;
         const RayFinding found = seams_.explain(ray_, hit, &apart);
         has_seam |= found == RayFinding::seam;
@@ -127,7 +128,7 @@ private:
                                world_.scene,
                                reference_,
                                bound_,
-                               sample_spread(camera_.fov_degrees, size_.height, settings_.aa),
+                               sample_spread(camera_, size_, settings_.aa),
                                settings_.contrast,
                                judge_.placed(),
                                seams_ ? &*seams_ : nullptr};

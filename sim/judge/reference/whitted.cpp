@@ -401,10 +401,6 @@ glm::dvec3 Tracer::pixel(const PixelRays& rays, std::uint32_t x, std::uint32_t y
     return total / static_cast<double>(samples);
 }
 
-double spread_of(const Camera& camera, FrameSize size, const Whitted& settings) {
-    return sample_spread(camera.fov_degrees, whole_size(camera, size).height, settings.aa);
-}
-
 }   // namespace
 
 WhittedFrame ref_whitted(const RefGeometry& geometry, const Scene& scene, const Camera& camera,
@@ -419,7 +415,7 @@ WhittedFrame ref_whitted(const RefGeometry& geometry, const Scene& scene, const 
                        std::vector<std::uint64_t>(pixels)};
     std::mutex adding;
     for_each_tile(size, threads, "reference", progress, [&](const PixelTile& tile) {
-        Tracer tracer(geometry, scene, settings, watch, spread_of(camera, size, settings));
+        Tracer tracer(geometry, scene, settings, watch, sample_spread(camera, size, settings.aa));
         for (int y = tile.rows().begin(); y < tile.rows().end(); ++y)
             for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
                 const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
@@ -437,7 +433,7 @@ WhittedFrame ref_whitted(const RefGeometry& geometry, const Scene& scene, const 
 WhittedPixel ref_pixel(const RefGeometry& geometry, const Scene& scene, const Camera& camera, FrameSize size,
                        const Whitted& settings, std::uint32_t x, std::uint32_t y, RefSteer* steer) {
     static const RayWatch nobody;
-    Tracer tracer(geometry, scene, settings, nobody, spread_of(camera, size, settings), steer);
+    Tracer tracer(geometry, scene, settings, nobody, sample_spread(camera, size, settings.aa), steer);
     WhittedPixel pixel;
     pixel.colour = tracer.pixel(pixel_rays(camera, size), x, y, pixel.first);
     pixel.signature = tracer.signature();

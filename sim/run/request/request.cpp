@@ -72,9 +72,7 @@ void refuse_stream(const Config& config) {
 
 /// Adds a camera for a picture of this size, and applies the view options.
 void apply_view(Scene& scene, FrameSize size, const ViewChoice& view) {
-    Camera part;
-    part.window = view.window;
-    const FrameSize whole = whole_size(part, size);
+    const FrameSize whole = whole_size(view.window, size);
     if (!scene.camera) scene.camera = fit_camera(scene, double(whole.width) / whole.height);
     if (view.is_given()) scene.camera = chosen_camera(*scene.camera, view, whole);
     scene.camera->window = view.window;

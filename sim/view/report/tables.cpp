@@ -31,7 +31,7 @@ std::string heading(const Scene& scene, FrameSize size, const Job& job) {
     const CompileReport& r = job.image.report;
     std::string part;
     if (const auto& w = scene.camera->window)
-        part = fmt::format(" from {},{} on of {}x{}", w->x, w->y, w->whole_width, w->whole_height);
+        part = fmt::format(", at {},{} in a picture of {}x{}", w->x, w->y, w->whole_width, w->whole_height);
     std::string text = fmt::format("{}: {}, {}x{} pixels{}, configuration {}\n", scene.name,
                                    primitives_text(scene), size.width, size.height, part, job.config.name);
     text += fmt::format(

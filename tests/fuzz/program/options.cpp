@@ -32,7 +32,7 @@ struct Options {
     std::string scene, size = default_size, clocks = default_clocks, rays = "1e6", bits = "12:20:2",
                        max_error = "0.1%", max_work = "0%", max_other = "1%";
     std::vector<std::string> axes;
-    std::optional<std::string> shard, lines;
+    std::optional<std::string> shard, lines, pixels;
     std::optional<double> min_psnr;
     ConfigChoice config;
     Finish finish;
@@ -61,6 +61,7 @@ void declare(Parser& parser, Options& o) {
     parser.option("--axis", o.axes, "");
     parser.option("--shard", o.shard, "");
     parser.option("--lines", o.lines, "");
+    parser.option("--pixels", o.pixels, "");
     parser.option("--rays", o.rays, "");
     parser.option("--bits", o.bits, "");
     parser.option("--max-error", o.max_error, "");
@@ -104,6 +105,15 @@ int read_options(const Options& o) {
     });
     read([&] {
         if (o.lines) fuzz::demand(parse_lines(*o.lines).second > 0, "there is a line");
+    });
+    read([&] {
+        ViewChoice view;
+        const FrameSize part = parse_part(o.size, o.pixels, view);
+        if (!view.window) return;
+        const PictureWindow& w = *view.window;
+        fuzz::demand(w.x >= 0 && w.y >= 0 && part.width > 0 && part.height > 0 &&
+                         w.x + part.width <= w.whole_width && w.y + part.height <= w.whole_height,
+                     "a part lies in its picture");
     });
     read([&] { parse_values("--bits", o.bits); });
     read([&] { fuzz::demand(parse_rays(o.rays) >= 1, "there is a ray"); });
