@@ -34,7 +34,8 @@ struct TraceOptions {
 void declare_trace(Parser& parser, TraceOptions& o) {
     scene_option(parser, o.scene).required();
     parser.option("--cycles", o.cycles, "cycles of the frame, FIRST:LAST, LAST excluded");
-    parser.option("--pixels", o.pixels, "a pixel X,Y, or a rectangle X,Y..X,Y, both corners included");
+    parser.option("--pixels", o.pixels,
+                  "a pixel X,Y, or a rectangle X,Y..X,Y, both corners included, or X,Y,WIDTHxHEIGHT");
     parser.option("--rays", o.rays,
                   "only rays of these kinds, separated by commas: camera, shadow, reflection, refraction");
     parser
@@ -55,30 +56,19 @@ void declare_trace(Parser& parser, TraceOptions& o) {
 
 void choose_cycles(TimelineChoice& choice, const std::string& typed) {
     constexpr std::uint64_t most = 1'000'000;
-    const std::vector<std::string> ends = split(typed, ':');
-    const auto whole = [](const std::string& text) {
-        return !text.empty() && text.size() < 16 && text.find_first_not_of("0123456789") == text.npos;
-    };
-    if (ends.size() != 2 || !whole(ends[0]) || !whole(ends[1]))
-        throw UserError("--cycles: " + shown(typed) + " is not FIRST:LAST, for example 2000:3000");
-    choice.first = std::stoull(ends[0]);
-    choice.last = std::stoull(ends[1]);
-    choice.whole_frame = false;
-    if (choice.first >= choice.last) throw UserError("--cycles: " + shown(typed) + " holds no cycle");
-    if (choice.last - choice.first > most)
+    const CycleRange range = parse_cycles(typed);
+    if (range.last - range.first > most)
         throw UserError(fmt::format("--cycles: {} are more than {} cycles", shown(typed), most));
+    choice.first = range.first;
+    choice.last = range.last;
+    choice.whole_frame = false;
 }
 
 void choose_pixels(TimelineChoice& choice, const std::string& typed, FrameSize size) {
-    const std::size_t dots = typed.find("..");
-    const std::size_t first = parse_pixel(typed.substr(0, dots), size),
-                      last = dots == typed.npos ? first : parse_pixel(typed.substr(dots + 2), size);
-    const auto width = std::uint32_t(size.width);
-    choice.x0 = std::uint32_t(first) % width, choice.y0 = std::uint32_t(first) / width;
-    choice.x1 = std::uint32_t(last) % width, choice.y1 = std::uint32_t(last) / width;
-    if (choice.x1 < choice.x0 || choice.y1 < choice.y0)
-        throw UserError("--pixels: " + shown(typed) +
-                        " holds no pixel; the first corner must be the upper left one");
+    const PixelRect rect = parse_pixels(typed, size);
+    choice.x0 = std::uint32_t(rect.x), choice.y0 = std::uint32_t(rect.y);
+    choice.x1 = choice.x0 + std::uint32_t(rect.size.width) - 1;
+    choice.y1 = choice.y0 + std::uint32_t(rect.size.height) - 1;
 }
 
 void choose_rays(TimelineChoice& choice, const std::string& typed) {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/base/interrupted.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
 #include "model/scene/builtin.hpp"
@@ -20,6 +21,7 @@
 #include "sim/app/parts/stream_commands.hpp"
 #include "sim/judge/cause/finished.hpp"
 #include "sim/view/divergence/divergence.hpp"
+#include "sim/view/observe/replay.hpp"
 #include "sim/view/report/elastic.hpp"
 #include "sim/files/image/golden.hpp"
 #include "sim/view/report/limits.hpp"
@@ -41,7 +43,7 @@ struct VerifyOptions {
     ConfigChoice config;
     Finish finish;
     ViewChoice view;
-    std::optional<std::string> pixels;   // a part of the picture
+    std::optional<std::string> pixels, cycles;   // a part of the picture
     FramesOptions frames;
     TrafficOptions traffic;
     StreamChoice stream;
@@ -64,6 +66,10 @@ void declare_verify(Parser& parser, VerifyOptions& o) {
     view_options(parser, o.view);
     size_option(parser, o.size);
     pixels_option(parser, o.pixels);
+    parser.option(
+        "--cycles", o.cycles,
+        "draw only the part of the picture whose pixels are in the chip in these cycles of the whole "
+        "picture, FIRST:LAST, LAST excluded");
     parser.option("--clock", o.clock, "clock rate in MHz; of several, the first").with_default();
     config_options(parser, o.config);
     frames_options(parser, o.frames);
@@ -91,6 +97,25 @@ GoldenResult golden_result(const std::string& spec, const Scene& scene, const Co
     if (!is_builtin(spec) || !fs::exists(golden_path(folder, scene.name, size))) return {};
     const Job job = make_job(scene, *scene.camera, size, config);
     return check_golden(folder, scene.name, shade(scene, run_model(job).hits), config.coord_bits);
+}
+
+/// Returns the smallest rectangle with all pixels that are in the chip in these cycles of the whole picture's
+/// last frame.
+PixelRect pixels_of_cycles(const VerifyOptions& o, const Request& request, FrameSize whole, int khz,
+                           Traffic traffic, const Progress& progress) {
+    const CycleRange range = parse_cycles(*o.cycles);
+    Film film(request, o.frames, o.view.is_given(), whole, stopping({}));
+    std::vector<RecordedFrame> traces;
+    record_film(film, {o.threads, {}, false}, stopping({}), traces);
+    const FrameCosts costs = observe(request.config, khz, traces, traffic, 0, nullptr, progress);
+    if (costs.partial) throw Interrupted("interrupted: nothing was compared");
+    if (range.first >= costs.cycles)
+        throw UserError(fmt::format("--cycles: the frame ends after {} cycles, before {} begins",
+                                    costs.cycles, shown(*o.cycles)));
+    const PixelRect rect = costs.pixels_in(range.first, range.last);
+    if (rect.size.width == 0)
+        throw UserError(fmt::format("--cycles: no pixel is in the chip in the cycles {}", shown(*o.cycles)));
+    return rect;
 }
 
 /// The pictures of all engines.
@@ -238,7 +263,7 @@ void compare_machines(VerifyResult& v, const VerifyOptions& o, const VerifyPlan&
             judge_finished(inputs, v.job.image, work.request().settings,
                            {p.reference.frame, drawn(work, judged), given}, judged.hits, o.threads, progress);
     if (v.judgement) v.difference = cause_picture(p.reference.picture, *v.judgement);
-    if (!work.request().finished && !o.view.is_given() && !o.pixels)
+    if (!work.request().finished && !o.view.is_given() && !work.film.camera().window)
         v.golden = golden_result(o.scene, scene, work.request().config);
 }
 
@@ -276,6 +301,7 @@ nlohmann::ordered_json json_of(const VerifyOptions& o, const VerifyPlan& work, c
     if (v.golden.found) golden = {{"psnr_db", decibel(v.golden.psnr_db)}, {"within", v.golden.within}};
     return {{"scene", scene_json(work.request().scene)},
             {"config", config_json_object(config)},
+            {"camera", camera_json(work.film.camera())},
             {"frame", {{"width", work.size.width}, {"height", work.size.height}}},
             {"compile", compile_json(v.job.image.report)},
             {"partial", v.partial()},
@@ -321,6 +347,7 @@ int run_verify(const VerifyOptions& typed) {
                               : o.no_wave            ? "--no-wave"
                               : o.frames.is_given()  ? "an option of films"
                               : o.pixels             ? "--pixels"
+                              : o.cycles             ? "--cycles"
                               : o.traffic.jitter > 0 ? "--jitter"
                               : o.traffic.stall > 0  ? "--stall"
                                                      : nullptr);
@@ -334,7 +361,8 @@ int run_verify(const VerifyOptions& typed) {
                                   {bool(o.elastic.alone), "--unit-only"},
                                   {o.netlist, "--netlist"},
                                   {o.no_wave, "--no-wave"},
-                                  {o.pixels.has_value(), "--pixels"}}})) {
+                                  {o.pixels.has_value(), "--pixels"},
+                                  {o.cycles.has_value(), "--cycles"}}})) {
         if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
         return verify_stream({o.scene, o.clock, o.config, o.stream, o.traffic, o.no_judge, o.threads, o.json,
                               o.elastic.units});
@@ -344,7 +372,10 @@ int run_verify(const VerifyOptions& typed) {
     if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
     const Stopwatch watch;
     ViewChoice view = o.view;
-    const FrameSize size = parse_part(o.size, o.pixels, view);
+    FrameSize size = parse_part(o.size, o.pixels, view);
+    if (o.pixels && o.cycles)
+        throw UserError("--pixels and --cycles both choose a part of the picture: give one");
+    if (o.cycles) parse_cycles(*o.cycles);   // refuses wrong ones early
     const std::vector<int> clocks = parse_clocks(o.clock);
     const Traffic traffic = traffic_of(o.traffic);
     o.json.check();
@@ -358,6 +389,11 @@ int run_verify(const VerifyOptions& typed) {
     if (!o.output.empty())
         check_picture_folder(o.output, {"reference.png", "model.png", "rtl.png", "difference.png"});
     if (!o.output.empty() && !o.no_wave) check_divergence_folder(o.output);
+    if (o.cycles) {
+        const PixelRect rect = pixels_of_cycles(o, request, size, clocks[0], traffic, progress);
+        request.scene.camera->window = PictureWindow{rect.x, rect.y, size.width, size.height};
+        size = rect.size;
+    }
     Film film(std::move(request), o.frames, o.view.is_given(), size, stop);
     if (o.elastic.alone) return verify_unit_alone(o.elastic, film, o.threads, int(o.traffic.seed), o.json);
     if (!o.output.empty() && film.frames() > 1 && film.moves()) check_film_folder(o.output, film.frames());

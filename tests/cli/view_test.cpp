@@ -1,6 +1,7 @@
 // --eye, --at, --fov, --orbit: the view of a scene.
 #include <catch2/catch.hpp>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.hpp"
@@ -88,7 +89,7 @@ TEST_CASE("views that make no sense") {
     refused({"--orbit", "400"}, {"--orbit", "-360..360", "400"});
     refused({"--eye", "1,1,1", "--at", "1,1,1"}, {"eye", "are the same"});
     for (const char* pixels :
-         {"1,2", "1,2,3", "a,0,4x4", "0,0,4x", "0,0,4x4x4", "0,0,4x4,5", "99999999999,0,4x4"})
+         {"1", "1,2,3", "a,0,4x4", "0,0,4x", "0,0,4x4x4", "0,0,4x4,5", "99999999999,0,4x4"})
         refused({"--pixels", pixels}, {"--pixels", pixels, "COLUMN,ROW,WIDTHxHEIGHT"});
     for (const char* pixels :
          {"-1,0,4x4", "0,-1,4x4", "0,0,0x4", "0,0,4x0", "0,0,25x4", "21,0,4x4", "0,15,4x4"})
@@ -101,6 +102,46 @@ TEST_CASE("a part of a picture has its rays, and the report says which part it i
     CHECK(part["frame"]["height"] == 9);
     CHECK(part["camera"]["window"] == json{{"x", 18}, {"y", 10}, {"whole_width", 32}, {"whole_height", 24}});
     CHECK(simulated({})["camera"]["window"].is_null());
+}
+
+TEST_CASE("a part of a picture can be given by two corners, or by the cycles in which its pixels are drawn") {
+    const json part = simulated({"--pixels", "18,10..29,18"});
+    CHECK(part["camera"]["window"] == json{{"x", 18}, {"y", 10}, {"whole_width", 32}, {"whole_height", 24}});
+    CHECK(part["frame"] == json{{"width", 12}, {"height", 9}});
+
+    const auto verified = [](const std::string& option, const std::string& value) {
+        const Outcome outcome = run_program({"verify", "gears:1", "--size", "48x32", "--set", "tile_bits=2",
+                                             "--set", "contexts=16", option, value, "--json", "-"});
+        INFO(outcome.err);
+        REQUIRE(outcome.code == 0);
+        return json::parse(outcome.out);
+    };
+    const json all = verified("--pixels", "0,0,48x32");
+    const auto cycles = all["clocks"][0]["cycles"].get<std::uint64_t>();
+    const json whole = verified("--cycles", fmt::format("0:{}", cycles));
+    CHECK(whole["camera"]["window"] == all["camera"]["window"]);
+    CHECK(whole["digest"] == all["digest"]);
+    // The first pixels lie in the first tiles, the last ones in the last tile.
+    const json first = verified("--cycles", "0:60"),
+               last = verified("--cycles", fmt::format("{}:999999999", cycles - 20));
+    CHECK(first["camera"]["window"]["x"] == 0);
+    CHECK(first["camera"]["window"]["y"] == 0);
+    CHECK(first["frame"]["width"].get<int>() * first["frame"]["height"].get<int>() <= 32);
+    CHECK(last["camera"]["window"]["x"].get<int>() + last["frame"]["width"].get<int>() == 48);
+    CHECK(last["camera"]["window"]["y"].get<int>() + last["frame"]["height"].get<int>() == 32);
+    CHECK(last["frame"]["width"].get<int>() * last["frame"]["height"].get<int>() <= 32);
+
+    const auto refused = [](std::vector<std::string> more, const std::vector<std::string>& words) {
+        more.insert(more.begin(), {"verify", "gears:1", "--size", "24x18"});
+        check_refused(run_program(more), words);
+    };
+    refused({"--pixels", "3,3..2,9"}, {"--pixels", "upper left"});
+    refused({"--pixels", "3,3..24,9"}, {"24,9", "23,17"});
+    refused({"--cycles", "5"}, {"--cycles", "2000:3000"});
+    refused({"--cycles", "9:9"}, {"holds no cycle"});
+    refused({"--cycles", "-1:9"}, {"--cycles", "-1:9"});
+    refused({"--cycles", "99999999:999999999"}, {"the frame ends after"});
+    refused({"--cycles", "0:9", "--pixels", "0,0,4x4"}, {"--pixels and --cycles"});
 }
 
 TEST_CASE("a part of a picture is judged with the texture levels of the whole picture") {

@@ -321,9 +321,12 @@ set(tex_filter rtl/unit/tex/rc_texel_filter.sv)
 mutant(tex_weights_swapped FILE ${tex_filter} TEST unit ${tex_rtl_case}
   OLD [[{s2_weight_x, s2_weight_y} = s2_weights;]]
   NEW [[{s2_weight_y, s2_weight_x} = s2_weights;]])
-mutant(tex_weight_not_complemented FILE ${tex_filter} TEST unit ${tex_rtl_case}
-  OLD [[s2_left  = One - {1'b0, s2_weight_x};]]
-  NEW [[s2_left  = {1'b0, s2_weight_x};]])
+mutant(tex_filter_begins_at_the_right_texel FILE ${tex_filter} TEST unit ${tex_rtl_case}
+  OLD [[{left, {Frac{1'b0}}} + product[AlongW-1:0];]]
+  NEW [[{right, {Frac{1'b0}}} + product[AlongW-1:0];]])
+mutant(tex_lower_row_subtracted FILE ${tex_filter} TEST unit ${tex_rtl_case}
+  OLD [[s3_step    = $signed({1'b0, s3_lower}) - $signed({1'b0, s3_upper});]]
+  NEW [[s3_step    = $signed({1'b0, s3_upper}) - $signed({1'b0, s3_lower});]])
 mutant(tex_weight_of_the_next_hit FILE ${tex_filter} TEST unit ${tex_rtl_case}
   OLD [[if (valid_q[2]) s3_weight_y_q]]
   NEW [[if (valid_q[1]) s3_weight_y_q]])

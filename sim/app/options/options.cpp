@@ -25,8 +25,8 @@ void size_option(Parser& parser, std::string& size) {
 void pixels_option(Parser& parser, std::optional<std::string>& pixels) {
     parser.option(
         "--pixels", pixels,
-        "draw only this part of the picture, COLUMN,ROW,WIDTHxHEIGHT; the rays are those of the whole "
-        "picture, the caches are cold");
+        "draw only this part of the picture, X,Y,WIDTHxHEIGHT or X,Y..X,Y; the rays are those of the "
+        "whole picture, the caches are cold");
 }
 
 void clock_option(Parser& parser, std::string& clocks) {

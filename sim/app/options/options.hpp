@@ -45,9 +45,18 @@ void netlist_option(Parser& parser, bool& no_netlist);
 FrameSize parse_size(const std::string& text);
 /// Parses "255,190", column and row of a pixel, to its index, row by row from the top. Throws UserError.
 std::size_t parse_pixel(const std::string& text, FrameSize size);
-/// Parses --size, and --pixels (COLUMN,ROW,WIDTHxHEIGHT), which chooses a part of that picture. Returns the
-/// size of the picture to draw, and sets the view's window if it is a part.
+/// Parses --pixels of a picture: COLUMN,ROW,WIDTHxHEIGHT, or COLUMN,ROW..COLUMN,ROW (both corners inside), or
+/// COLUMN,ROW. Throws UserError.
+PixelRect parse_pixels(const std::string& text, FrameSize whole);
+/// Parses --size, and --pixels, which chooses a part of that picture. Returns the size of the picture to
+/// draw, and sets the view's window if it is a part.
 FrameSize parse_part(const std::string& size, const std::optional<std::string>& pixels, ViewChoice& view);
+/// Cycles of a frame, without `last`.
+struct CycleRange {
+    std::uint64_t first = 0, last = 0;
+};
+/// Parses --cycles, FIRST:LAST. Throws UserError unless it holds a cycle.
+CycleRange parse_cycles(const std::string& text);
 /// Parses "66,90,200" MHz to kHz. Each value is from 1 to 100,000 with at most three decimals. Throws
 /// UserError.
 std::vector<int> parse_clocks(const std::string& text);

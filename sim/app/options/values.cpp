@@ -50,23 +50,59 @@ std::size_t parse_pixel(const std::string& text, FrameSize size) {
     return std::size_t(y) * std::size_t(size.width) + std::size_t(x);
 }
 
+namespace {
+
+constexpr const char* not_pixels =
+    " is not COLUMN,ROW,WIDTHxHEIGHT, for example 400,300,64x48, or two corners, for example "
+    "400,300..463,347, or one pixel";
+
+/// Parses two corners, both inside, or one pixel.
+PixelRect parse_corners(const std::string& text, FrameSize whole) {
+    const std::size_t dots = text.find("..");
+    const std::size_t first = parse_pixel(text.substr(0, dots), whole),
+                      last = dots == text.npos ? first : parse_pixel(text.substr(dots + 2), whole);
+    const auto width = std::size_t(whole.width);
+    const int x = int(first % width), y = int(first / width);
+    const PixelRect rect{x, y, {int(last % width) - x + 1, int(last / width) - y + 1}};
+    if (rect.size.width < 1 || rect.size.height < 1)
+        throw UserError("--pixels: " + shown(text) +
+                        " holds no pixel; the first corner must be the upper left one");
+    return rect;
+}
+
+}   // namespace
+
+PixelRect parse_pixels(const std::string& text, FrameSize whole) {
+    const std::vector<std::string> parts = split(text, ',');
+    if (parts.size() == 2 || text.find("..") != text.npos) return parse_corners(text, whole);
+    PixelRect rect;
+    if (parts.size() != 3 || !parse_whole(parts[0], rect.x) || !parse_whole(parts[1], rect.y) ||
+        !parse_sides(parts[2], rect.size))
+        throw UserError("--pixels: " + shown(text) + not_pixels);
+    const FrameSize part = rect.size;
+    const bool is_inside = rect.x >= 0 && rect.y >= 0 && part.width >= 1 && part.height >= 1 &&
+                           part.width <= whole.width - rect.x && part.height <= whole.height - rect.y;
+    if (!is_inside)
+        throw UserError(fmt::format("--pixels: {} does not lie in the picture of {}x{} pixels (--size)",
+                                    shown(text), whole.width, whole.height));
+    return rect;
+}
+
 FrameSize parse_part(const std::string& size, const std::optional<std::string>& pixels, ViewChoice& view) {
     const FrameSize whole = parse_size(size);
     if (!pixels) return whole;
-    const std::vector<std::string> parts = split(*pixels, ',');
-    PictureWindow window{0, 0, whole.width, whole.height};
-    FrameSize part;
-    if (parts.size() != 3 || !parse_whole(parts[0], window.x) || !parse_whole(parts[1], window.y) ||
-        !parse_sides(parts[2], part))
-        throw UserError("--pixels: " + shown(*pixels) +
-                        " is not COLUMN,ROW,WIDTHxHEIGHT, for example 400,300,64x48");
-    const bool is_inside = window.x >= 0 && window.y >= 0 && part.width >= 1 && part.height >= 1 &&
-                           part.width <= whole.width - window.x && part.height <= whole.height - window.y;
-    if (!is_inside)
-        throw UserError(fmt::format("--pixels: {} does not lie in the picture of {}x{} pixels (--size)",
-                                    shown(*pixels), whole.width, whole.height));
-    view.window = window;
-    return part;
+    const PixelRect rect = parse_pixels(*pixels, whole);
+    view.window = PictureWindow{rect.x, rect.y, whole.width, whole.height};
+    return rect.size;
+}
+
+CycleRange parse_cycles(const std::string& text) {
+    const std::vector<std::string> ends = split(text, ':');
+    CycleRange range;
+    if (ends.size() != 2 || !parse_whole(ends[0], range.first) || !parse_whole(ends[1], range.last))
+        throw UserError("--cycles: " + shown(text) + " is not FIRST:LAST, for example 2000:3000");
+    if (range.first >= range.last) throw UserError("--cycles: " + shown(text) + " holds no cycle");
+    return range;
 }
 
 std::vector<int> parse_clocks(const std::string& text) {

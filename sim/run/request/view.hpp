@@ -7,6 +7,13 @@
 
 namespace rayclock {
 
+/// A rectangle of pixels; (x, y) is its upper left pixel.
+struct PixelRect {
+    int x = 0, y = 0;
+    FrameSize size;
+    friend bool operator==(const PixelRect&, const PixelRect&) = default;
+};
+
 /// The user's view options. Missing ones keep the scene's own camera, or the one that fits its meshes.
 struct ViewChoice {
     std::optional<std::string> eye, at;    ///< "x,y,z"

@@ -1,6 +1,8 @@
 // Sums and names for the costs of a frame.
 #include "sim/view/observe/costs.hpp"
 
+#include <algorithm>
+
 namespace rayclock {
 
 const char* place_name(std::size_t place) {
@@ -25,6 +27,19 @@ FrameCosts::Sums FrameCosts::total() const {
         s.misses += p.misses, s.bytes += p.bytes, s.cycles += p.cycles;
     }
     return s;
+}
+
+PixelRect FrameCosts::pixels_in(std::uint64_t first, std::uint64_t last) const {
+    std::uint32_t x0 = width, y0 = height, x1 = 0, y1 = 0;   // x1 and y1 exclusive
+    for (std::uint32_t y = 0; y < height; ++y)
+        for (std::uint32_t x = 0; x < width; ++x) {
+            const PixelCost& pixel = pixels[std::size_t(y) * width + x];
+            if (pixel.first >= last || pixel.first + std::uint64_t(pixel.cycles) <= first) continue;
+            x0 = std::min(x0, x), x1 = std::max(x1, x + 1);
+            y0 = std::min(y0, y), y1 = std::max(y1, y + 1);
+        }
+    if (x1 == 0) return {0, 0, {0, 0}};
+    return {int(x0), int(y0), {int(x1 - x0), int(y1 - y0)}};
 }
 
 }   // namespace rayclock

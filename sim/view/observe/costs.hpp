@@ -8,6 +8,7 @@
 #include "model/machine/links.hpp"
 #include "model/mem/memory.hpp"
 #include "model/scene/whitted.hpp"
+#include "sim/run/request/view.hpp"
 
 namespace rayclock {
 
@@ -81,6 +82,9 @@ struct FrameCosts {
         std::uint64_t rays = 0, visits = 0, tests = 0, misses = 0, bytes = 0, cycles = 0;
     };
     Sums total() const;
+    /// Returns the smallest rectangle with all pixels that were in a pipeline in one of these cycles, without
+    /// `last`. Its size is 0x0 if there was none.
+    PixelRect pixels_in(std::uint64_t first, std::uint64_t last) const;
 };
 
 }   // namespace rayclock

@@ -32,7 +32,7 @@ struct Options {
     std::string scene, size = default_size, clocks = default_clocks, rays = "1e6", bits = "12:20:2",
                        max_error = "0.1%", max_work = "0%", max_other = "1%";
     std::vector<std::string> axes;
-    std::optional<std::string> shard, lines, pixels;
+    std::optional<std::string> shard, lines, pixels, cycles;
     std::optional<double> min_psnr;
     ConfigChoice config;
     Finish finish;
@@ -62,6 +62,7 @@ void declare(Parser& parser, Options& o) {
     parser.option("--shard", o.shard, "");
     parser.option("--lines", o.lines, "");
     parser.option("--pixels", o.pixels, "");
+    parser.option("--cycles", o.cycles, "");
     parser.option("--rays", o.rays, "");
     parser.option("--bits", o.bits, "");
     parser.option("--max-error", o.max_error, "");
@@ -114,6 +115,11 @@ int read_options(const Options& o) {
         fuzz::demand(w.x >= 0 && w.y >= 0 && part.width > 0 && part.height > 0 &&
                          w.x + part.width <= w.whole_width && w.y + part.height <= w.whole_height,
                      "a part lies in its picture");
+    });
+    read([&] {
+        if (!o.cycles) return;
+        const CycleRange range = parse_cycles(*o.cycles);
+        fuzz::demand(range.first < range.last, "there is a cycle");
     });
     read([&] { parse_values("--bits", o.bits); });
     read([&] { fuzz::demand(parse_rays(o.rays) >= 1, "there is a ray"); });
