@@ -129,7 +129,8 @@ public:
             req_addr_ = request->line;
             req_tag_ = request->tag;
         } else {
-            req_addr_ = draw.bits(20);
+            // Often the row that is open: the controller must not take it for the next request's.
+            req_addr_ = draw.coin() ? last_line_ : draw.bits(20);
             req_write_ = draw.bits(1);
         }
         const bool aligns = align_every > 0 && model.init_done() && draw.below(align_every) == 0;
@@ -208,6 +209,7 @@ private:
     };
     void accept(const Sdram::Request& request, const WriteLine* data) {
         LineBeats& line = expected.line(request.line);
+        last_line_ = request.line;
         if (request.is_write) {
             data->apply(line);
             writes_.push_back({request.tag, *data});
@@ -261,6 +263,7 @@ private:
         rd_last_{rtl_, "rd_last"}, rd_tag_{rtl_, "rd_tag"}, rd_data_{rtl_, "rd_data"};
     std::deque<Read> reads_;
     std::deque<Write> writes_;
+    std::uint32_t last_line_ = 0;   ///< of the last accepted request
 };
 
 /// Addresses in all relations of bank and row to the last one.

@@ -50,10 +50,10 @@ mutant(board_memory_is_not_aligned FILE rtl/board/rc_board.sv TEST board "two fr
 
 mutant(board_clock_stops_in_a_bus_access FILE rtl/board/rc_chip_clock.sv TEST board "a chip whose clock*"
   OLD [[assign is_used = bus_i || running_i;]]
-  NEW [[assign is_used = running_i;]])
+  NEW [[assign is_used = running_i || (bus_i && running_i);]])
 mutant(board_clock_stops_in_a_frame FILE rtl/board/rc_chip_clock.sv TEST board "a chip whose clock*"
   OLD [[assign is_used = bus_i || running_i;]]
-  NEW [[assign is_used = bus_i;]])
+  NEW [[assign is_used = bus_i || (bus_i && running_i);]])
 
 # ---- The model of the memory.
 foreach(cycles 19 21)
