@@ -105,7 +105,7 @@ TEST_CASE("model and rtl of bih make the same moves in every cycle", "[bih][lock
 }
 
 TEST_CASE("bih is right at both ends of every width", "[bih]") {
-    check_answers<BihUnit>(bih_format(GENERATE("default", "shading:narrow", "broad")), case_at_ends);
+    check_answers<BihUnit>(bih_format(GENERATE("default", "shading:narrow", "wide")), case_at_ends);
 }
 
 TEST_CASE("model and rtl of bih make the same moves at both ends of every width", "[bih][lockstep]") {

@@ -82,7 +82,7 @@ TEST_CASE("model and rtl of a fast slant make the same moves in every cycle", "[
 }
 
 TEST_CASE("slant is right at both ends of every width", "[slant]") {
-    check_answers<SlantUnit>(bsp_format(GENERATE("default", "shading:narrow", "broad")), slant_case_at_ends);
+    check_answers<SlantUnit>(bsp_format(GENERATE("default", "shading:narrow", "wide")), slant_case_at_ends);
 }
 
 TEST_CASE("model and rtl of slant make the same moves at both ends of every width", "[slant][lockstep]") {

@@ -56,7 +56,7 @@ TEST_CASE("model and rtl of a fast treelet make the same moves in every cycle", 
 }
 
 TEST_CASE("treelet is right at both ends of every width", "[treelet]") {
-    check_answers<TreeletUnit>(kd_format(GENERATE("default", "shading:narrow", "broad")),
+    check_answers<TreeletUnit>(kd_format(GENERATE("default", "shading:narrow", "wide")),
                                treelet_case_at_ends);
 }
 

@@ -31,7 +31,7 @@ TEMPLATE_TEST_CASE("globe loses no child that the ray meets and keeps few others
 }
 
 TEST_CASE("globe is right in every format", "[globe]") {
-    const std::string name = GENERATE(as<std::string>{}, "small", "narrow", "broad", "coarse",
+    const std::string name = GENERATE(as<std::string>{}, "small", "narrow", "wide", "coarse",
                                       "sheared:small", "shading:default", "shading:small");
     INFO(name);
     const Config config = globe_format(name);
@@ -106,7 +106,7 @@ TEST_CASE("model and rtl of a fast globe make the same moves in every cycle", "[
 }
 
 TEST_CASE("globe is right at both ends of every width", "[globe]") {
-    const std::string name = GENERATE(as<std::string>{}, "default", "shading:narrow", "broad");
+    const std::string name = GENERATE(as<std::string>{}, "default", "shading:narrow", "wide");
     INFO(name);
     const Config config = globe_format(name);
     Draw draw{7};
