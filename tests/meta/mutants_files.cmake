@@ -100,6 +100,6 @@ mutant(input_is_read_from_an_output FILE sim/files/input_registry.cpp TEST cli "
 mutant(published_files_stay_announced FILE sim/files/folder.cpp TEST load "a published file*"
   OLD [[forget_output(path);]]
   NEW [[]])
-mutant(load_camera_on_its_head_is_turned FILE sim/load/gltf/material.cpp TEST load "gltf: a camera*"
+mutant(load_camera_on_its_head_is_turned FILE sim/load/gltf/material.cpp TEST load "glTF: a camera*"
   OLD [[is_upright = up.y >= least_height * glm::length(up);]]
   NEW [[is_upright = true;]])

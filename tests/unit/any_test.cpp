@@ -225,7 +225,7 @@ TEMPLATE_TEST_CASE("tri of a chip that shades accepts a primitive in every cycle
     check_throughput(dut, config, [&](Draw& draw) { return random_any_req(draw, config); });
 }
 
-TEST_CASE("model and rtl of tri of a chip that shades make the same moves in every cycle",
+TEST_CASE("model and RTL of tri of a chip that shades make the same moves in every cycle",
           "[tri][any][lockstep]") {
     same_moves(any_part(GENERATE(from_range(quick_parts))));
 }
@@ -237,22 +237,22 @@ TEMPLATE_TEST_CASE("fast tri of a chip that shades answers after exactly its lat
     check_latency(dut, config, [&](Draw& draw) { return random_any_req(draw, config); });
 }
 
-TEST_CASE("model and rtl of a fast tri of a chip that shades make the same moves in every cycle",
+TEST_CASE("model and RTL of a fast tri of a chip that shades make the same moves in every cycle",
           "[tri][any][lockstep][fast]") {
     same_moves(fast_part(GENERATE(0, 2, 8)));
 }
 
-TEST_CASE("model and rtl of tri of a chip that shades make the same moves with every format",
+TEST_CASE("model and RTL of tri of a chip that shades make the same moves with every format",
           "[tri][any][lockstep][slow]") {
     same_moves(any_part(GENERATE(from_range(all_parts))));
 }
 
-TEST_CASE("model and rtl of a tri that shades and shares multipliers make the same moves in every cycle",
+TEST_CASE("model and RTL of a tri that shades and shares multipliers make the same moves in every cycle",
           "[tri][any][lockstep][interval]") {
     same_moves(GENERATE(shared(fast_part(0), 4), shared(any_part(8), 2)));
 }
 
-TEST_CASE("model and rtl of a tri that shades and shares multipliers make the same moves in every format",
+TEST_CASE("model and RTL of a tri that shades and shares multipliers make the same moves in every format",
           "[tri][any][lockstep][interval][slow]") {
     const int interval = GENERATE(2, 4), which = GENERATE(0, 1, 2, 3, 4, 7, 8);
     same_moves(shared(any_part(which), interval));

@@ -168,14 +168,14 @@ TEMPLATE_TEST_CASE("list accepts leaves and a test in every cycle", "[list]", Li
     REQUIRE(prims == int(half) - 1);
 }
 
-TEST_CASE("model and rtl of list make the same moves in every cycle", "[list][lockstep]") {
+TEST_CASE("model and RTL of list make the same moves in every cycle", "[list][lockstep]") {
     const Config config =
         format(GENERATE("default", "sheared:small", "shading:default", "fast:small", "fast:shading:default"));
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 13; ++seed) lockstep(config, seed, flow, 3000);
 }
 
-TEST_CASE("model and rtl of list make the same moves, nodes of four and one context",
+TEST_CASE("model and RTL of list make the same moves, nodes of four and one context",
           "[list][lockstep][slow]") {
     Config one = format("small");
     one.name = "one context";

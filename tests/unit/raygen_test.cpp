@@ -185,7 +185,7 @@ TEMPLATE_TEST_CASE("raygen makes a ray in every cycle", "[raygen]", Model<Raygen
     check_throughput(dut, config, [&](Draw& draw) { return random_slot(draw, config); });
 }
 
-TEST_CASE("model and rtl of raygen make the same moves in every cycle", "[raygen][lockstep]") {
+TEST_CASE("model and RTL of raygen make the same moves in every cycle", "[raygen][lockstep]") {
     const Config config = format(GENERATE("default", "small", "narrow", "wide"));
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 15; ++seed)
@@ -193,7 +193,7 @@ TEST_CASE("model and rtl of raygen make the same moves in every cycle", "[raygen
                                        [&](Draw& draw) { return random_slot(draw, config); });
 }
 
-TEST_CASE("model and rtl of a fast raygen make the same moves in every cycle", "[raygen][lockstep][fast]") {
+TEST_CASE("model and RTL of a fast raygen make the same moves in every cycle", "[raygen][lockstep][fast]") {
     const Config config = format(GENERATE("fast:default", "fast:small", "fast:narrow", "fast:wide",
                                           "fast:sheared:default", "fast:sheared:precise"));
     for (const Flow& flow : flows)
@@ -209,19 +209,19 @@ TEMPLATE_TEST_CASE("raygen that shares steps of its divisions makes a ray every 
     check_throughput(dut, config, [&](Draw& draw) { return random_slot(draw, config); });
 }
 
-TEST_CASE("model and rtl of a raygen that shares steps make the same moves in every cycle",
+TEST_CASE("model and RTL of a raygen that shares steps make the same moves in every cycle",
           "[raygen][lockstep][interval]") {
     shared_moves(format(GENERATE("rays2:default", "rays8:fast:narrow", "rays4:sheared:default")));
 }
 
-TEST_CASE("model and rtl of a raygen that shares steps make the same moves, other formats",
+TEST_CASE("model and RTL of a raygen that shares steps make the same moves, other formats",
           "[raygen][lockstep][interval][slow]") {
     shared_moves(
         format(GENERATE("rays4:default", "rays8:default", "rays2:fast:small", "rays4:fast:small",
                         "rays8:fast:small", "rays4:wide", "rays8:fast:wide", "rays8:fast:sheared:precise")));
 }
 
-TEST_CASE("model and rtl of raygen with slopes make the same moves in every cycle",
+TEST_CASE("model and RTL of raygen with slopes make the same moves in every cycle",
           "[raygen][lockstep][sheared]") {
     const Config config = format(GENERATE("sheared:default", "sheared:narrow", "sheared:precise"));
     check_lockstep<RaygenUnit>(config, Frame{}, flows[0], 1, 100,

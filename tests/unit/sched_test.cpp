@@ -233,12 +233,12 @@ TEMPLATE_TEST_CASE("sched gives out the colours of finished pixels", "[sched][sh
             give_pixels<TestType>(format("shading:default"), frame_of(width, height), 1, flow);
 }
 
-TEST_CASE("model and rtl of sched make the same moves in every cycle, with colours",
+TEST_CASE("model and RTL of sched make the same moves in every cycle, with colours",
           "[sched][lockstep][shading]") {
     for (const Flow& flow : flows) lockstep(format("samples:small"), frame_of(40, 17), 11, flow);
 }
 
-TEST_CASE("model and rtl of sched make the same moves in every cycle", "[sched][lockstep]") {
+TEST_CASE("model and RTL of sched make the same moves in every cycle", "[sched][lockstep]") {
     for (const int tile_bits : {0, 3})
         for (const auto& [width, height] : sizes)
             for (const Flow& flow : flows)

@@ -83,18 +83,18 @@ template <class Dut> void step(Dut& dut) {
 
 }   // namespace
 
-TEST_CASE("model and rtl of shade make the same moves in every cycle", "[shade][lockstep][all]") {
+TEST_CASE("model and RTL of shade make the same moves in every cycle", "[shade][lockstep][all]") {
     check("all", 64, 64, 3000);
 }
 
 TEST_CASE(
-    "model and rtl of shade make the same moves with a short queue, and without units that are not needed",
+    "model and RTL of shade make the same moves with a short queue, and without units that are not needed",
     "[shade][lockstep]") {
     check("all", 8, 4, 3000);
     check("plain", 64, 64, 3000);
 }
 
-TEST_CASE("model and rtl of shade make the same moves with a pass every few cycles",
+TEST_CASE("model and RTL of shade make the same moves with a pass every few cycles",
           "[shade][lockstep][interval]") {
     check("every4:all", 64, 8, 6000);
     check("every4:plain", 64, 64, 6000);
@@ -102,13 +102,13 @@ TEST_CASE("model and rtl of shade make the same moves with a pass every few cycl
     check("every8:fast:all", 64, 64, 6000);
 }
 
-TEST_CASE("model and rtl of shade make the same moves with textures", "[shade][lockstep][textures]") {
+TEST_CASE("model and RTL of shade make the same moves with textures", "[shade][lockstep][textures]") {
     check("textured:all", 64, 64, 3000);
     check("textured:all", 8, 4, 3000);
     check("textured:every4:fast:plain", 64, 8, 6000);
 }
 
-TEST_CASE("model and rtl of shade make the same moves in every cycle, for long", "[shade][lockstep][slow]") {
+TEST_CASE("model and RTL of shade make the same moves in every cycle, for long", "[shade][lockstep][slow]") {
     const auto format = GENERATE("all", "plain", "mirror", "narrow", "broad", "short", "every8:fast:all",
                                  "every4:all", "every2:plain");
     check(format, 64, 64, 40000);

@@ -259,13 +259,13 @@ TEMPLATE_TEST_CASE("raygen accepts shade's ray before a new pixel, and one ray i
     REQUIRE(dut.spawn.fires());
 }
 
-TEST_CASE("model and rtl of raygen make the same moves in every cycle with rays of shade",
+TEST_CASE("model and RTL of raygen make the same moves in every cycle with rays of shade",
           "[raygen][lockstep][shading]") {
     same_moves(format(GENERATE("shading:default", "samples:default", "rays8:fast:shading:default",
                                "rays4:samples:default")));
 }
 
-TEST_CASE("model and rtl of raygen make the same moves with rays of shade, other formats",
+TEST_CASE("model and RTL of raygen make the same moves with rays of shade, other formats",
           "[raygen][lockstep][shading][slow]") {
     same_moves(format(GENERATE("shading:wide", "samples:narrow")));
 }

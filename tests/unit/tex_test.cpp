@@ -130,7 +130,7 @@ TEST_CASE("a part's numbers share the logarithm of its middle, within its bound"
     CHECK((low < -0.02 && high > 0.02));
 }
 
-TEST_CASE("in the rtl all numbers of a part have the logarithm of its middle", "[tex][log][rtl]") {
+TEST_CASE("in the RTL all numbers of a part have the logarithm of its middle", "[tex][log][rtl]") {
     RtlModule rtl(tex_config("rgb888"), "rc_log");
     for (std::uint32_t x = 0; x < 1u << 16; ++x) {
         std::memcpy(rtl.port("x").data, &x, rtl.port("x").bytes);

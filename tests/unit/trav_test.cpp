@@ -367,14 +367,14 @@ TEMPLATE_TEST_CASE("trav decides a step in every cycle, and no step enters in a 
     REQUIRE(other.cycle().cause == 1);
 }
 
-TEST_CASE("model and rtl of trav make the same moves in every cycle", "[trav][lockstep]") {
+TEST_CASE("model and RTL of trav make the same moves in every cycle", "[trav][lockstep]") {
     const Config config =
         format(GENERATE("default", "shading:default", "fast:small", "fast:shading:default"));
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 13; ++seed) lockstep(config, seed, flow, 3000);
 }
 
-TEST_CASE("model and rtl of trav make the same moves, four children, one context and many",
+TEST_CASE("model and RTL of trav make the same moves, four children, one context and many",
           "[trav][lockstep][slow]") {
     Config one = format("small"), many = one;
     one.name = "one context";

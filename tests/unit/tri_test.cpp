@@ -64,7 +64,7 @@ TEMPLATE_TEST_CASE("tri is exact at the corners of the lattice", "[tri]", Model<
     for (std::size_t i = 0; i < rsps.size(); ++i) judge(requests[i], rsps[i], config);
 }
 
-TEST_CASE("model and rtl of the sheared tri are equal at the corners of the lattice",
+TEST_CASE("model and RTL of the sheared tri are equal at the corners of the lattice",
           "[tri][lockstep][sheared]") {
     const Config config = format(GENERATE("sheared:default", "sheared:wide"));
     std::vector<TriReq> requests;
@@ -153,7 +153,7 @@ TEMPLATE_TEST_CASE("tri accepts a triangle in every cycle, or every few", "[tri]
     check_throughput(dut, config, [&](Draw& draw) { return random_tri_req(draw, config); });
 }
 
-TEST_CASE("model and rtl of tri make the same moves in every cycle", "[tri][lockstep]") {
+TEST_CASE("model and RTL of tri make the same moves in every cycle", "[tri][lockstep]") {
     const Config config = format(GENERATE("default", "small", "narrow", "wide"));
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 13; ++seed)
@@ -161,7 +161,7 @@ TEST_CASE("model and rtl of tri make the same moves in every cycle", "[tri][lock
                                     [&](Draw& draw) { return random_tri_req(draw, config); });
 }
 
-TEST_CASE("model and rtl of a fast tri make the same moves in every cycle", "[tri][lockstep][fast]") {
+TEST_CASE("model and RTL of a fast tri make the same moves in every cycle", "[tri][lockstep][fast]") {
     const Config config =
         format(GENERATE("fast:default", "fast:small", "fast:narrow", "fast:wide", "fast:sheared:default"));
     for (const Flow& flow : flows)
@@ -170,7 +170,7 @@ TEST_CASE("model and rtl of a fast tri make the same moves in every cycle", "[tr
                                     [&](Draw& draw) { return random_tri_req(draw, config); });
 }
 
-TEST_CASE("model and rtl of a tri that shares multipliers make the same moves in every cycle",
+TEST_CASE("model and RTL of a tri that shares multipliers make the same moves in every cycle",
           "[tri][lockstep][interval]") {
     const Config config = format(GENERATE("every2:default", "every4:fast:default"));
     for (const Flow& flow : flows)
@@ -178,7 +178,7 @@ TEST_CASE("model and rtl of a tri that shares multipliers make the same moves in
                                 [&](Draw& draw) { return random_tri_req(draw, config); });
 }
 
-TEST_CASE("model and rtl of a tri that shares multipliers make the same moves in every format",
+TEST_CASE("model and RTL of a tri that shares multipliers make the same moves in every format",
           "[tri][lockstep][interval][slow]") {
     const Config config =
         format(GENERATE("every4:default", "every2:fast:default", "every2:fast:small", "every4:fast:small",
@@ -189,7 +189,7 @@ TEST_CASE("model and rtl of a tri that shares multipliers make the same moves in
                                 [&](Draw& draw) { return random_tri_req(draw, config); });
 }
 
-TEST_CASE("model and rtl of the sheared tri make the same moves in every cycle", "[tri][lockstep][sheared]") {
+TEST_CASE("model and RTL of the sheared tri make the same moves in every cycle", "[tri][lockstep][sheared]") {
     const Config config =
         format(GENERATE("sheared:default", "sheared:small", "sheared:narrow", "sheared:wide"));
     for (const Flow& flow : flows)

@@ -138,32 +138,32 @@ TEMPLATE_TEST_CASE("box accepts a node in every cycle, or every few", "[box]", M
     check_throughput(dut, config, [&](Draw& draw) { return random_req(draw, config); });
 }
 
-TEST_CASE("model and rtl of box make the same moves in every cycle", "[box][lockstep]") {
+TEST_CASE("model and RTL of box make the same moves in every cycle", "[box][lockstep]") {
     same_moves(format(GENERATE("default", "small", "narrow", "wide")));
 }
 
-TEST_CASE("model and rtl of a fast box make the same moves in every cycle", "[box][lockstep][fast]") {
+TEST_CASE("model and RTL of a fast box make the same moves in every cycle", "[box][lockstep][fast]") {
     same_moves(format(GENERATE("fast:default", "fast:small", "fast:shading:narrow")));
 }
 
-TEST_CASE("model and rtl of a box of few lanes make the same moves in every cycle",
+TEST_CASE("model and RTL of a box of few lanes make the same moves in every cycle",
           "[box][lockstep][lanes]") {
     same_moves(format(GENERATE("lanes2:default", "lanes1:fast:default")));
 }
 
-TEST_CASE("model and rtl of a box of few lanes make the same moves in every format",
+TEST_CASE("model and RTL of a box of few lanes make the same moves in every format",
           "[box][lockstep][lanes][slow]") {
     same_moves(format(GENERATE("lanes1:default", "lanes4:default", "lanes4:fast:default",
                                "lanes2:fast:default", "lanes1:small", "lanes2:fast:small", "lanes2:wide",
                                "lanes1:shading:narrow", "lanes2:fast:shading:default")));
 }
 
-TEST_CASE("model and rtl of box make the same moves in every cycle with bounces and shadow rays",
+TEST_CASE("model and RTL of box make the same moves in every cycle with bounces and shadow rays",
           "[box][lockstep][shading]") {
     same_moves(format(GENERATE("shading:default", "shading:narrow")));
 }
 
-TEST_CASE("model and rtl of box make the same moves with bounces and shadow rays, other formats",
+TEST_CASE("model and RTL of box make the same moves with bounces and shadow rays, other formats",
           "[box][lockstep][shading][slow]") {
     same_moves(format(GENERATE("shading:small", "shading:wide", "shading:coarse")));
 }
