@@ -51,7 +51,7 @@ mutant(load_used_faults_are_drawn FILE sim/load/mesh/indexed.cpp TEST load "ply:
 mutant(load_degenerate_not_counted FILE sim/load/place.cpp TEST load "what a file holds*"
   OLD [[++dropped_;]]
   NEW [[]])
-mutant(files_memory_time_is_rounded FILE sim/run/memory/memory_file.cpp TEST unit "a memory that is written*"
+mutant(files_memory_time_is_rounded FILE sim/run/memory/memory_file.cpp TEST load "a memory that is written*"
   OLD [[const double ps = std::round(ns * 1000);]]
   NEW [[const double ps = std::round(ns * 100) * 10;]])
 

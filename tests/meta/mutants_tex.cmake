@@ -61,7 +61,7 @@ mutant(tex_model_tile_row_shifted FILE ${tex_model} TEST unit ${tex_model_case}
 mutant(tex_model_address_does_not_wrap FILE ${tex_model} TEST unit ${tex_model_case}
   OLD [[((1u << config.addr_bits) - 1)]]
   NEW [[~0u]])
-mutant(tex_model_overtakes_an_offer FILE model/unit/tex/unit.hpp WITH tests/unit/tex_test.cpp TEST unit
+mutant(tex_model_overtakes_an_offer FILE model/unit/tex/unit.hpp WITH tests/unit/tex/tex_test.cpp TEST unit
   ${tex_model_case}
   OLD [[return !link_.second(!texels_.empty());]]
   NEW [[return !texels_.empty();]])
@@ -162,7 +162,7 @@ mutant(tex_model_cutout_with_the_scale_of_the_surface FILE model/unit/shade/shad
 mutant(tex_model_path_of_0_has_a_level FILE ${tex_model} TEST unit [tex][level]
   OLD [[if (hit.path == 0) return 0;]]
   NEW [[;]])
-mutant(tex_model_cutouts_do_not_stop FILE model/unit/list/ray_tests.hpp WITH tests/unit/list_test.cpp
+mutant(tex_model_cutouts_do_not_stop FILE model/unit/list/ray_tests.hpp WITH tests/unit/list/list_test.cpp
   TEST unit [list][hole]
   OLD [[return any_ && best_.found; }]]
   NEW [[return any_ && best_.found && !found_.cutout; }]])

@@ -51,7 +51,7 @@ void check(const char* format, int contexts, int queue, int cycles) {
     const Config c = shape(format, contexts, queue);
     int pixels = 0, shadows = 0, bounces = 0, samples = 0, closed = 0, textures = 0, cutouts = 0;
     unsigned seed = 1;
-    for (const auto& [name, idle, stall] : flows) {
+    for (const auto& [name, idle, stall] : paces) {
         Draw draw{seed};
         Frame frame = random_shade_frame(draw, c);
         frame.shade.first_surface_line = std::uint32_t(draw.bits(c.addr_bits));

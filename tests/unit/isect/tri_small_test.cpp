@@ -8,8 +8,9 @@
 #include "tests/support/cases/small.hpp"
 #include "tests/support/cases/tri_cases.hpp"
 
+namespace rayclock::test::tri_small_test {
+
 using namespace rayclock;
-using namespace rayclock::test;
 
 namespace {
 
@@ -169,3 +170,5 @@ TEST_CASE("RTL of tri is right for every ray and triangle of 64 points with one 
     REQUIRE(count.wrong == 0);
     REQUIRE(count.hits > 10000);
 }
+
+}   // namespace rayclock::test::tri_small_test
