@@ -1,5 +1,7 @@
 // Bad usage: exit code 2 and one sentence that names what was wrong.
 #include <algorithm>
+#include <cctype>
+#include <set>
 #include <sstream>
 
 #include <catch2/catch.hpp>
@@ -87,6 +89,39 @@ TEST_CASE("the help fits a screen, in groups") {
     CHECK(std::count(help.out.begin(), help.out.end(), '\n') <= 48);
     std::istringstream lines(help.out);
     for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
+}
+
+TEST_CASE("docs/guide/report.md lists exactly the commands that take --json") {
+    const auto words_of = [](const std::vector<std::string>& command) {
+        // A line of the help that begins with two blanks and a small letter names a command.
+        std::istringstream lines(run_program(command).out);
+        std::set<std::string> words;
+        for (std::string line; std::getline(lines, line);)
+            if (line.size() > 2 && line.starts_with("  ") && std::islower(line[2]))
+                words.insert(line.substr(2, line.find(' ', 2) - 2));
+        return words;
+    };
+    std::set<std::string> expected;
+    const auto add = [&](std::vector<std::string> command, const std::string& name) {
+        command.push_back("--help");
+        if (run_program(command).out.find("--json") != std::string::npos) expected.insert(name);
+    };
+    for (const std::string& name : words_of({"--help"})) add({name}, name);
+    for (const std::string& page : words_of({"study", "--help"})) add({"study", page}, "study " + page);
+    CHECK(expected.size() > 20);
+
+    const std::string page = bytes_of(source_folder() + "/docs/guide/report.md");
+    const std::size_t begin = page.find("\nThese commands take `--json FILE`: ");
+    REQUIRE(begin != std::string::npos);
+    const std::size_t first = page.find(": ", begin);
+    const std::string list = page.substr(first, page.find("\n\n", first) - first);
+    std::set<std::string> told;
+    for (std::size_t at = list.find('`'); at != std::string::npos;) {
+        const std::size_t end = list.find('`', at + 1);
+        told.insert(list.substr(at + 1, end - at - 1));
+        at = list.find('`', end + 1);
+    }
+    CHECK(told == expected);
 }
 
 TEST_CASE("an impossible picture size is refused") {

@@ -36,7 +36,7 @@ mutant(load_cut_jpeg_is_drawn FILE sim/files/image/codec.cpp TEST load "pictures
   NEW [[is_cut_jpeg({})]])
 
 # ---- Input that is damaged or cut off.
-mutant(files_gzip_cut_off_is_taken FILE sim/load/gunzip.cpp TEST load "gzip: damaged*"
+mutant(files_gzip_cut_off_is_taken FILE sim/load/gunzip.cpp TEST load "gzip: data that are damaged*"
   OLD [[            is_open = false;]]
   NEW [[            return out;]])
 mutant(files_off_index_one_beyond FILE sim/load/mesh/read_off.cpp TEST load "off: what makes*"
