@@ -16,7 +16,7 @@ Config chip() { return load_config({"ulx3s", {"dram=board", "scan_out=1", "pixel
 
 }   // namespace
 
-TEST_CASE("the rtl of the board's chip is built", "[.build]") {
+TEST_CASE("the RTL of the board's chip is built", "[.build]") {
     build_all({{"rc_chip", "board", chip()}});
     SUCCEED("it is there");
 }

@@ -279,14 +279,14 @@ std::uint64_t longest_without(const std::vector<char>& order, char client) {
 
 }   // namespace
 
-TEST_CASE("the rtl of the board's memory is built", "[.build]") {
+TEST_CASE("the RTL of the board's memory is built", "[.build]") {
     std::vector<RtlJob> jobs;
     for (const SdramPart& part : sdram_parts())
         jobs.push_back({memory_module(part, 75'000), part.name, format("default")});
     build_all(jobs);
 }
 
-TEST_CASE("model and rtl of the board's memory agree in every cycle, and each client gets its data",
+TEST_CASE("model and RTL of the board's memory agree in every cycle, and each client gets its data",
           "[memory][lockstep]") {
     const SdramPart& part = sdram_part(GENERATE(as<std::string>{}, "as4c32m16sb", "is42s16160g"));
     const unsigned seed = GENERATE(1u, 2u);

@@ -59,7 +59,7 @@ void check_spacing(const SdramRig& rig, const std::vector<std::uint64_t>& gaps, 
 
 }   // namespace
 
-TEST_CASE("the rtl of the SDRAM controller is built", "[.build]") {
+TEST_CASE("the RTL of the SDRAM controller is built", "[.build]") {
     std::vector<RtlJob> jobs;
     for (const SdramPart& part : sdram_parts())
         for (const int khz : sdram_khz)
@@ -68,7 +68,7 @@ TEST_CASE("the rtl of the SDRAM controller is built", "[.build]") {
     build_all(jobs);
 }
 
-TEST_CASE("model and rtl of the SDRAM controller agree in every cycle, and the data are right",
+TEST_CASE("model and RTL of the SDRAM controller agree in every cycle, and the data are right",
           "[sdram][lockstep]") {
     const int khz = any_khz();
     const SdramPart& part = any_sdram();

@@ -270,7 +270,7 @@ ConfigChoice camera_chip() { return {"ulx3s", {"dram=board", "scan_out=1", "pixe
 
 }   // namespace
 
-TEST_CASE("the rtl of the simulated board is built", "[.build]") {
+TEST_CASE("the RTL of the simulated board is built", "[.build]") {
     for (const ConfigChoice& choice : {Setting().config, camera_chip()})
         const SimulatedBoard board(load_config(choice), shape_of({}));
     BoardShape plain = shape_of({});

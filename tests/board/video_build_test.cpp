@@ -5,7 +5,7 @@
 
 using namespace rayclock;
 
-TEST_CASE("the rtl of the board's video is built", "[.build]") {
+TEST_CASE("the RTL of the board's video is built", "[.build]") {
     std::vector<test::RtlJob> jobs;
     for (const char* module : {"rc_pixel_writer", "rc_tmds", "rc_video", "rc_video_fifo Width=16"})
         jobs.push_back({module, "board", test::video_config()});

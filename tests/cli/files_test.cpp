@@ -65,7 +65,7 @@ const std::string every_key = all_but_one();
 
 }   // namespace
 
-TEST_CASE("scene files that make no sense") {
+TEST_CASE("malformed scene files are refused") {
     check_input({{"empty.obj", "", {"empty"}},
                  {"nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n", {"2"}},
                  {"infinite.obj", "v 0 0 0\nv 1 0 0\nv 0 inf 0\nf 1 2 3\n", {"3"}},
@@ -88,7 +88,7 @@ TEST_CASE("scene files that make no sense") {
                 {scene_commands[2]});
 }
 
-TEST_CASE("a directory, a device or nothing in place of a scene") {
+TEST_CASE("a directory, a device or a missing file in place of a scene is refused") {
     const Folder folder;
     fs::create_directory(folder.name("folder.obj"));
     check_refused(run_program({"simulate", folder.name("folder.obj")}), {"folder.obj", "directory"});
@@ -121,7 +121,7 @@ TEST_CASE("a file without a visible surface has a background, and no machine hol
     CHECK(drawn.code == 0);
 }
 
-TEST_CASE("configuration files that make no sense") {
+TEST_CASE("malformed configuration files are refused") {
     const std::vector<std::vector<std::string>> commands{
         {"simulate", "tetra:1", "--config", "FILE", "--json", "report.json"},
         {"config", "FILE"},
@@ -151,7 +151,7 @@ TEST_CASE("configuration files that make no sense") {
     check_refused(run_program({"simulate", "tetra:1", "--config", ""}), {});
 }
 
-TEST_CASE("outputs that cannot be written") {
+TEST_CASE("an output that cannot be written is refused, and no file changes") {
     const Folder folder;
     fs::create_directory(folder.name("taken"));
     fs::create_directory(folder.name("taken.png"));
@@ -197,7 +197,7 @@ TEST_CASE("a report that cannot be written at the end gives an error") {
     CHECK(full.err == "rayclock: /dev/full: cannot be written: No space left on device\n");
 }
 
-TEST_CASE("a place for the RTL that cannot be written") {
+TEST_CASE("a cache of RTL that cannot be written is refused") {
     check_refused(run_program({"rtl"}, {"RAYCLOCK_CACHE=/proc/none"}), {"/proc/none", "RAYCLOCK_CACHE"});
 }
 

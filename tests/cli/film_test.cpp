@@ -185,7 +185,7 @@ TEST_CASE("the report lists refitted and rebuilt trees of every frame") {
     CHECK_THAT(said.out, Catch::Contains("refitted") && Catch::Contains("refit or rebuild its trees"));
 }
 
-TEST_CASE("options of a film that make no sense") {
+TEST_CASE("illegal options of a film are refused") {
     const std::vector<std::pair<Words, Words>> bad{{{"--fps", "0"}, {"--fps", "0.001..10000", "0"}},
                                                    {{"--fps", "nan"}, {"--fps", "nan"}},
                                                    {{"--fps", "x"}, {"--fps", "x"}},

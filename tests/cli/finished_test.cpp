@@ -33,7 +33,7 @@ constexpr const char* lamp = R"([{"position":[3,4,0]}])";
 
 }   // namespace
 
-TEST_CASE("options of finished pictures that make no sense") {
+TEST_CASE("illegal options of finished pictures are refused") {
     const auto refused = [](std::vector<std::string> arguments, const std::vector<std::string>& words) {
         arguments.insert(arguments.begin(), {"simulate", "tetra:1"});
         check_refused(run_program(arguments), words);

@@ -35,7 +35,7 @@ std::vector<std::string> with_state(const std::string& file) {
 
 }   // namespace
 
-TEST_CASE("a configuration that is not a file, or is nested, or has a key twice") {
+TEST_CASE("a configuration that is not a file, is nested too deeply, or has a key twice is refused") {
     const Folder folder;
     fs::create_directory(folder.name("folder.json"));
     REQUIRE(::mkfifo(folder.name("pipe.json").c_str(), 0600) == 0);
@@ -314,7 +314,7 @@ TEST_CASE("small files that declare many keys or triangles are refused before th
     CHECK(run_program({"simulate", folder.write("few.gltf", primitives(30, 30)), "--size", "8x8"}).code == 0);
 }
 
-TEST_CASE("any input under 1 MB: exit code 0, 1 or 2, under 2 GB and 10 s") {
+TEST_CASE("any input under 1 MB ends with exit code 0, 1 or 2, within 2 GB and 10 s") {
     const Folder folder;
     const std::string v3 = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     std::string runs = v3, face = v3 + "f", faces = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.1 0\n", dust;

@@ -58,30 +58,48 @@ TEST_CASE("the parts of a sweep, merged in any order, are the sweep of one machi
                      "--plot", p.folder.name(name)};
     };
     REQUIRE(p.run(together(grid, written("whole"))).code == 0);
-    const auto whole = json::parse(bytes_of(p.folder.name("whole.json")));
-    REQUIRE(whole["points"].size() == 16);
-    CHECK(whole["shard"].is_null());
     for (const int parts : {2, 5, 16}) {
         Words merge{"merge"};
-        std::size_t points = 0;
         for (int k = parts; k > 0; --k) {
             p.work_out(k, parts);
             merge.push_back(p.part(k));
-            points += json::parse(bytes_of(p.part(k)))["points"].size();
         }
-        CHECK(points == 16);
         const Outcome o = p.run(together(merge, written("merged")));
         INFO(o.err);
         REQUIRE(o.code == 0);
-        CHECK(o.out.find("16 points from " + std::to_string(parts) + " files") != o.out.npos);
         for (const char* kind : {".csv", ".json", ".svg"})
             CHECK(bytes_of(p.folder.name(std::string("merged") + kind)) ==
                   bytes_of(p.folder.name(std::string("whole") + kind)));
     }
-    // A complete sweep is also accepted.
+}
+
+TEST_CASE("each point of a sweep is in one of its parts, and merge prints their number") {
+    const SharedFolder p;
+    std::size_t points = 0;
+    for (const int k : {1, 2, 3}) {
+        p.work_out(k, 3);
+        points += json::parse(bytes_of(p.part(k)))["points"].size();
+    }
+    CHECK(points == 16);
+    const Outcome o = p.run({"merge", p.part(3), p.part(1), p.part(2)});
+    INFO(o.err);
+    REQUIRE(o.code == 0);
+    CHECK(o.out.find("16 points from 3 files") != o.out.npos);
+}
+
+TEST_CASE("merge accepts a complete sweep and changes no byte of its report") {
+    const SharedFolder p;
+    REQUIRE(p.run(together(grid, {"--json", p.folder.name("whole.json")})).code == 0);
     const Outcome again = p.run({"merge", p.folder.name("whole.json"), "--json", "-"});
     CHECK(again.out == bytes_of(p.folder.name("whole.json")));
-    // Values are numbers, each parameter has its own entry, and hit rates are included.
+}
+
+TEST_CASE("a point of a sweep has its values as numbers, an entry for each parameter, and its hit rates") {
+    const SharedFolder p;
+    REQUIRE(p.run(together(grid, {"--json", p.folder.name("whole.json")})).code == 0);
+    const json whole = json::parse(bytes_of(p.folder.name("whole.json")));
+    REQUIRE(whole["points"].size() == 16);
+    CHECK(whole["shard"].is_null());
     const json& point = whole["points"][9];
     CHECK(point["values"] == json::parse(
                                  R"({"clock": 66.5, "coord_bits": 18, "dir_bits": 20,
@@ -121,7 +139,10 @@ TEST_CASE("files that are not all parts of one sweep are refused by name") {
             {"changed.json", "not all of its figures"});
     refused({two, three, p.changed(1, "/points", json::array())},
             {"changed.json", "another number of points"});
+}
 
+TEST_CASE("a part that a sweep does not have is refused, and so is a part without a report") {
+    const SharedFolder p;
     for (const auto& [text, why] :
          std::map<std::string, std::string>{{"3/2", "no part 3 of 2"},
                                             {"0/2", "no part 0 of 2"},

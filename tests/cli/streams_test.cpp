@@ -93,7 +93,7 @@ TEST_CASE("a disk that fills up while a file is written costs no old file") {
     }
 }
 
-TEST_CASE("links, pipes and devices as outputs") {
+TEST_CASE("an output may be a pipe or a device, but not a symbolic link") {
     const Folder folder;
     folder.write("real.json", "precious");
     fs::create_symlink("real.json", folder.name("link.json"));

@@ -1,5 +1,7 @@
 // Bad usage: exit code 2 and one sentence that names what was wrong.
 #include <algorithm>
+#include <cctype>
+#include <set>
 #include <sstream>
 
 #include <catch2/catch.hpp>
@@ -32,7 +34,7 @@ Bad simulate(std::vector<std::string> arguments, std::vector<std::string> words)
 
 }   // namespace
 
-TEST_CASE("commands and options that do not exist") {
+TEST_CASE("unknown commands and options are refused") {
     check({{{}, {"subcommand"}},
            {{"foo"}, {"'foo'"}},
            {{"simulat", "tetra:1"}, {"'simulat'", "did you mean 'simulate'"}},
@@ -89,7 +91,40 @@ TEST_CASE("the help fits a screen, in groups") {
     for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
 }
 
-TEST_CASE("sizes that make no sense") {
+TEST_CASE("docs/guide/report.md lists exactly the commands that take --json") {
+    const auto words_of = [](const std::vector<std::string>& command) {
+        // A line of the help that begins with two blanks and a small letter names a command.
+        std::istringstream lines(run_program(command).out);
+        std::set<std::string> words;
+        for (std::string line; std::getline(lines, line);)
+            if (line.size() > 2 && line.starts_with("  ") && std::islower(line[2]))
+                words.insert(line.substr(2, line.find(' ', 2) - 2));
+        return words;
+    };
+    std::set<std::string> expected;
+    const auto add = [&](std::vector<std::string> command, const std::string& name) {
+        command.push_back("--help");
+        if (run_program(command).out.find("--json") != std::string::npos) expected.insert(name);
+    };
+    for (const std::string& name : words_of({"--help"})) add({name}, name);
+    for (const std::string& page : words_of({"study", "--help"})) add({"study", page}, "study " + page);
+    CHECK(expected.size() > 20);
+
+    const std::string page = bytes_of(source_folder() + "/docs/guide/report.md");
+    const std::size_t begin = page.find("\nThese commands take `--json FILE`: ");
+    REQUIRE(begin != std::string::npos);
+    const std::size_t first = page.find(": ", begin);
+    const std::string list = page.substr(first, page.find("\n\n", first) - first);
+    std::set<std::string> told;
+    for (std::size_t at = list.find('`'); at != std::string::npos;) {
+        const std::size_t end = list.find('`', at + 1);
+        told.insert(list.substr(at + 1, end - at - 1));
+        at = list.find('`', end + 1);
+    }
+    CHECK(told == expected);
+}
+
+TEST_CASE("an impossible picture size is refused") {
     for (const char* command : {"simulate", "verify", "bench"})
         check({{{command, "tetra:1", "--size", "0x0"}, {"0 x 0", "16384"}}});
     check({{{"render", "tetra:1", "--size", "0x0", "-o", "never.png"}, {"0 x 0", "16384"}},
@@ -110,14 +145,14 @@ TEST_CASE("sizes that make no sense") {
            simulate({"--size", "0x10x10"}, {"0x10x10"})});
 }
 
-TEST_CASE("clocks that make no sense") {
+TEST_CASE("an impossible clock is refused") {
     for (const char* clock : {"0", "-5", "nan", "inf", "-inf", "", "66,,90", "66,", ",66", "abc", "1e9",
                               "0x10", "66 ", "66;90", "-0"})
         check({simulate({std::string("--clock=") + clock}, {"--clock"}),
                {{"verify", "tetra:1", std::string("--clock=") + clock}, {"--clock"}}});
 }
 
-TEST_CASE("parameters that make no sense") {
+TEST_CASE("an illegal parameter is refused with its value") {
     check({simulate({"--set", "coord_bits=11"}, {"coord_bits", "12..20", "11"}),
            simulate({"--set", "coord_bits=21"}, {"coord_bits", "21"}),
            simulate({"--set", "coord_bits=20", "--set", "dir_bits=24"}, {"62", "64"}),
@@ -140,7 +175,7 @@ TEST_CASE("parameters that make no sense") {
            {{"simulate", "icosphere:1", "--set", "stack_depth=1"}, {"stack_depth"}}});
 }
 
-TEST_CASE("caches, pipelines and memories that make no sense") {
+TEST_CASE("illegal caches, pipelines and memories are refused") {
     check({simulate({"--set", "node_ways=0"}, {"node_ways", "1..8", "0"}),
            simulate({"--set", "prim_sets=0"}, {"prim_sets", "0"}),
            simulate({"--set", "node_sets=48"}, {"node_sets", "power of two", "48"}),
@@ -173,7 +208,7 @@ TEST_CASE("caches, pipelines and memories that make no sense") {
             {"'rpu'", "bytes", "dram=ddr3"}}});
 }
 
-TEST_CASE("frames and axes that make no sense") {
+TEST_CASE("illegal counts of frames and illegal axes are refused") {
     check({simulate({"--frames", "0"}, {"--frames", "0"}),
            simulate({"--frames", "1001"}, {"--frames", "1001"}), simulate({"--frames", "x"}, {"--frames"}),
            simulate({"--pan", "nan"}, {"--pan"}), simulate({"--pan", "361"}, {"--pan", "361"}),
@@ -200,7 +235,7 @@ TEST_CASE("frames and axes that make no sense") {
            {{"study", "yardstick", "-o", "no/such/folder/page.md"}, {"no/such/folder/page.md"}}});
 }
 
-TEST_CASE("other values that make no sense") {
+TEST_CASE("illegal values of other options are refused") {
     check({simulate({"--engine", "gpu"}, {"'gpu'"}),
            simulate({"--engine", "reference"}, {"'reference'"}),
            simulate({"--engine", ""}, {"--engine"}),
@@ -215,7 +250,7 @@ TEST_CASE("other values that make no sense") {
            simulate({"--seed", "-1"}, {"--seed"})});
 }
 
-TEST_CASE("scenes that do not exist") {
+TEST_CASE("a scene that does not exist is refused by name") {
     check({{{"simulate", "nosuch"}, {"'nosuch'"}},
            {{"simulate", "tetr:2"}, {"did you mean", "tetra"}},
            {{"simulate", ""}, {"scene"}},
@@ -228,7 +263,7 @@ TEST_CASE("scenes that do not exist") {
            {{"render", "missing.ply", "-o", "never.png"}, {"missing.ply", "no such file"}}});
 }
 
-TEST_CASE("stress runs that make no sense") {
+TEST_CASE("a stress run with illegal options is refused") {
     const auto stress = [](std::vector<std::string> arguments, std::vector<std::string> words) {
         arguments.insert(arguments.begin(), {"stress"});
         return Bad{std::move(arguments), std::move(words)};

@@ -77,7 +77,7 @@ TEST_CASE("a ground is two triangles of the scene that is drawn, and the camera 
                   {"--ground", "levels=1"});
 }
 
-TEST_CASE("views that make no sense") {
+TEST_CASE("an illegal view is refused with its option and value") {
     const auto refused = [](std::vector<std::string> more, const std::vector<std::string>& words) {
         more.insert(more.begin(), {"simulate", "gears:1"});
         check_refused(run_program(more), words);

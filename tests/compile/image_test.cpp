@@ -92,7 +92,7 @@ TEST_CASE("boxes are as tight as the format allows") {
     CHECK(encode_node(wider, 0, config).exp == std::array<std::uint32_t, 3>{1, 1, 2});
 }
 
-TEST_CASE("the same bytes for every number of threads") {
+TEST_CASE("an image has the same bytes for every number of threads") {
     const Scene scene = soup(30000, 0.02, 11);
     for (const int leaf : {1, 4}) {
         const Config config = shape(18, 8, leaf);

@@ -1,4 +1,5 @@
-// Property of rc_addsub: it returns the sum or difference, for every pair of numbers, also in the device's carry cells.
+// Property of rc_addsub: it returns the sum or difference, for every pair of numbers, also in the
+// device's carry cells.
 module addsub #(
   parameter int unsigned Width = 5
 ) (

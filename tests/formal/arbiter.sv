@@ -4,8 +4,9 @@
 // - a source that offers is served after at most Sources - 1 others;
 // - after reset the round begins behind source 0.
 //
-// The proof follows one arbitrary source: `whom_i` is constant. The third property needs two invariants of internal state:
-// the distance of the round from the followed source, and that only an offer already on the output may be out of turn.
+// The proof follows one arbitrary source: `whom_i` is constant. The third property needs two
+// invariants of internal state: the distance of the round from the followed source, and that only
+// an offer already on the output may be out of turn.
 module arbiter #(
   parameter  int unsigned Sources = 4,
   parameter  int unsigned Width   = 2,
@@ -23,7 +24,8 @@ module arbiter #(
   logic [IndexW-1:0]  source_o;
   logic [Width-1:0]   data_o;
   rc_arbiter #(.Sources(Sources), .Width(Width)) u_dut (
-    .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid_i), .ready_o(ready_o), .data_i(data_i), .valid_o(valid_o),
+    .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid_i), .ready_o(ready_o), .data_i(data_i),
+    .valid_o(valid_o),
     .ready_i(ready_i), .source_o(source_o), .data_o(data_o));
   (* hierconn *) wire              \u_dut.held_q ;
   (* hierconn *) wire [IndexW-1:0] \u_dut.last_q ;
@@ -65,7 +67,8 @@ module arbiter #(
     else if (ready_o != '0) fresh_q <= 1'b0;
   end
   assign turns      = whom_i - \u_dut.last_q - 1'b1;                  // sources before it in turn
-  assign held_turns = \u_dut.held_source_q - \u_dut.last_q - 1'b1;    // the one on show: sources before it
+  // the one on show: sources before it
+  assign held_turns = \u_dut.held_source_q - \u_dut.last_q - 1'b1;
 
   always @* if (begun_q && rst_ni) begin
     a_offer:   assert (valid_o == (valid_i != '0));
@@ -75,7 +78,8 @@ module arbiter #(
     a_told:    assert (ready_o == '0 || ready_o[source_o]);
     a_data:    assert (!valid_o || data_o == data_i[source_o*Width +: Width]);
     a_stays:   assert (!stalled_q || (valid_o && source_o == source_q && data_o == shown_q));
-    a_held:    assert (\u_dut.held_q == stalled_q && (!stalled_q || (\u_dut.held_source_q == source_q && waits_q[source_q])));
+    a_held:    assert (\u_dut.held_q == stalled_q &&
+        (!stalled_q || (\u_dut.held_source_q == source_q && waits_q[source_q])));
     a_bounded: assert (passed_q <= Sources - 1);
     a_turn:    assert (passed_q == '0 || !waits_q[whom_i] || passed_q + turns <= Sources - 1);
     a_in_turn: assert (passed_q == '0 || !waits_q[whom_i] || !stalled_q || held_turns <= turns);

@@ -1,12 +1,14 @@
-// Properties of the whole rc_cache, if ids in use are not given again and memory sends each requested word once, in any order
-// and at any time:
-// - every request is answered once, with the word at its address, however often lines are filled and evicted;
+// Properties of the whole rc_cache, if ids in use are not given again and memory sends each
+// requested word once, in any order and at any time:
+// - every request is answered once, with the word at its address, however often lines are filled
+//   and evicted;
 // - no answer is lost in a full queue;
 // - if memory owes no word and answers are accepted, no request stays open for long.
 //
-// The proof uses the smallest cache in which lines are evicted, requests merge into a line in flight, and ways and MSHRs run
-// out: two ways, one set, two MSHRs, four ids, and a memory of four lines of one bit each with arbitrary content. It covers a
-// number of cycles from reset. The parts are proven for all time in fifo.sv, credit_counter.sv, queue.sv, tags.sv and mshr.sv.
+// The proof uses the smallest cache in which lines are evicted, requests merge into a line in
+// flight, and ways and MSHRs run out: two ways, one set, two MSHRs, four ids, and a memory of four
+// lines of one bit each with arbitrary content. It covers a number of cycles from reset. The parts
+// are proven for all time in fifo.sv, credit_counter.sv, queue.sv, tags.sv and mshr.sv.
 module cache #(
   parameter  int unsigned Words  = 1,   // of a line, 1 or 2
   parameter  int unsigned Soon   = 9,   // cycles
@@ -33,12 +35,15 @@ module cache #(
   logic [MissIdW-1:0]          miss_id;
   logic [AddrBits-1:0]         miss_addr;
   logic [(1<<MissIdW)*AddrBits-1:0] asked_addr_q;
-  rc_cache #(.IdBits(IdBits), .AddrBits(AddrBits), .Parts(1), .PartW(1), .Sets(1), .Ways(2), .Words(Words), .Mshrs(2),
+  rc_cache #(.IdBits(IdBits), .AddrBits(AddrBits), .Parts(1), .PartW(1), .Sets(1), .Ways(2),
+      .Words(Words), .Mshrs(2),
              .Queue(2)) u_dut (
     .clk_i(clk_i), .rst_ni(rst_ni), .req_valid_i(req_valid_i), .req_ready_o(req_ready_o),
-    .req_i({req_id_i, req_addr_i}), .rsp_valid_o(rsp_valid_o), .rsp_ready_i(rsp_ready_i), .rsp_o({rsp_id, rsp_bit}),
+    .req_i({req_id_i, req_addr_i}), .rsp_valid_o(rsp_valid_o), .rsp_ready_i(rsp_ready_i),
+    .rsp_o({rsp_id, rsp_bit}),
     .miss_valid_o(miss_valid_o), .miss_ready_i(miss_ready_i), .miss_o({miss_id, miss_addr}),
-    .fill_fires_i(fill_fires_i), .fill_id_i(fill_id_i), .fill_word_i(memory_i[asked_addr_q[AddrBits*fill_id_i +: AddrBits]]),
+    .fill_fires_i(fill_fires_i), .fill_id_i(fill_id_i),
+    .fill_word_i(memory_i[asked_addr_q[AddrBits*fill_id_i +: AddrBits]]),
     .waits_o(waits_o), .outcome_o(outcome_o));
 
   logic [1:0]       begun_q = 2'd0;
@@ -74,7 +79,8 @@ module cache #(
         owed_q[miss_id] <= 1'b1;
         asked_addr_q[AddrBits*miss_id +: AddrBits] <= miss_addr;
       end
-      quiet_q <= rsp_ready_i && !miss_valid_o && owed_q == '0 && !(req_valid_i && req_ready_o) && open_q != '0
+      quiet_q <= rsp_ready_i && !miss_valid_o && owed_q == '0 && !(req_valid_i && req_ready_o) &&
+          open_q != '0
           ? quiet_q + 1'b1 : '0;
     end
     stalled_q  <= rst_ni && rsp_valid_o && !rsp_ready_i;

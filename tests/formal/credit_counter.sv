@@ -1,5 +1,6 @@
-// Guarantees of rc_credit_counter, if requests come only while open_o is set and answers only to requests: at most
-// Credits requests are in flight, never fewer than none, and open_o is set exactly while another one has a place.
+// Guarantees of rc_credit_counter, if requests come only while open_o is set and answers only to
+// requests: at most Credits requests are in flight, never fewer than none, and open_o is set
+// exactly while another one has a place.
 module credit_counter #(
   parameter int unsigned Credits = 4,
   parameter int unsigned Cut     = 0    // 0 or 1

@@ -1,5 +1,6 @@
-// Property of rc_delay_ram: data that enters with valid_i leaves after exactly Stages cycles. Two bits of data represent any width.
-// An induction over more than Stages cycles sees all data in the memory enter, so only the place needs an invariant.
+// Property of rc_delay_ram: data that enters with valid_i leaves after exactly Stages cycles. Two
+// bits of data represent any width. An induction over more than Stages cycles sees all data in the
+// memory enter, so only the place needs an invariant.
 module delay_ram #(
   parameter  int unsigned Stages = 3,
   localparam int unsigned IndexW = $clog2(Stages)

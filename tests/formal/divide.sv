@@ -1,6 +1,6 @@
-// Properties of rc_divide, for every dividend and divisor: the quotient is the floor, and inexact_o is set if there is a
-// remainder. A delay line follows one request through the stages. Requests before and after it are arbitrary, at least Every
-// cycles away.
+// Properties of rc_divide, for every dividend and divisor: the quotient is the floor, and inexact_o
+// is set if there is a remainder. A delay line follows one request through the stages. Requests
+// before and after it are arbitrary, at least Every cycles away.
 module divide #(
   parameter  int unsigned Width  = 5,
   parameter  int unsigned Stages = 2,

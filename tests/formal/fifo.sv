@@ -1,8 +1,10 @@
-// Properties of rc_fifo_peek, and so of rc_fifo, for any traffic on both sides: each entry leaves once, in order and unchanged,
-// and nothing else leaves. ready and an offer stay until they are used.
+// Properties of rc_fifo_peek, and so of rc_fifo, for any traffic on both sides: each entry leaves
+// once, in order and unchanged, and nothing else leaves. ready and an offer stay until they are
+// used.
 //
-// The proof follows one arbitrary entry: `pick_i` selects it, and `ahead_q` entries leave before it. The induction needs
-// invariants of the inside: the pointers agree with the number of entries, and the followed entry is at its place.
+// The proof follows one arbitrary entry: `pick_i` selects it, and `ahead_q` entries leave before
+// it. The induction needs invariants of the inside: the pointers agree with the number of entries,
+// and the followed entry is at its place.
 module fifo #(
   parameter  int unsigned Depth  = 4,   // 2 or 4
   parameter  int unsigned Width  = 2,
@@ -22,7 +24,8 @@ module fifo #(
   logic             next_fires;
   rc_fifo_peek #(.Width(Width), .Depth(Depth), .Cut(Cut), .Second(Second)) u_dut (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid_i), .ready_o(ready_o), .data_i(data_i),
-    .valid_o(valid_o), .ready_i(ready_i), .data_o(data_o), .next_fires_o(next_fires), .next_o(next_data));
+    .valid_o(valid_o), .ready_i(ready_i), .data_o(data_o), .next_fires_o(next_fires),
+    .next_o(next_data));
   (* hierconn *) wire [IndexW:0] \u_dut.head_q ;
   (* hierconn *) wire [IndexW:0] \u_dut.tail_q ;
 
@@ -40,7 +43,8 @@ module fifo #(
   logic [IndexW:0] inside;
   assign inside = \u_dut.tail_q - \u_dut.head_q ;
 
-  logic             enters, leaves, follows_q, stalled_q, open_q, told_q, gone_q;   // told ahead; no head stayed
+  // told ahead; no head stayed
+  logic             enters, leaves, follows_q, stalled_q, open_q, told_q, gone_q;
   logic [Width-1:0] told_data_q;
   logic [IndexW:0]  count_q, ahead_q;
   logic [Width-1:0] token_q, shown_q;

@@ -1,11 +1,13 @@
 // Properties of rc_mshr, if it is used as rc_cache uses it:
-// - each waiting request is answered once, with the place of its own line, and requests to one line in their order;
+// - each waiting request is answered once, with the place of its own line, and requests to one line
+//   in their order;
 // - no request is answered before all words of the line have arrived;
 // - an MSHR is free exactly after the last request of its chain.
 //
-// The proof uses two MSHRs and four ids. It tracks which request waits, for which MSHR, and at which position of the chain. It
-// also tracks which lines are in flight, their destination, and how many of their words have arrived. The invariants compare
-// the chains' heads, tails and links, and the queue of filled lines, with this record.
+// The proof uses two MSHRs and four ids. It tracks which request waits, for which MSHR, and at
+// which position of the chain. It also tracks which lines are in flight, their destination, and how
+// many of their words have arrived. The invariants compare the chains' heads, tails and links, and
+// the queue of filled lines, with this record.
 module mshr #(
   parameter  int unsigned Words = 2,   // 1 or 2
   localparam int unsigned IdBits = 2,
@@ -24,12 +26,17 @@ module mshr #(
   input logic       drain_i
 );
   logic [1:0] waiting_o, drain_id_o;
-  logic       full_o, waits_o, free_o, fill_set_o, fill_way_o, drain_valid_o, drain_set_o, drain_way_o;
+  logic       full_o, waits_o, free_o, fill_set_o, fill_way_o, drain_valid_o, drain_set_o,
+      drain_way_o;
   rc_mshr #(.IdBits(IdBits), .SetW(1), .Ways(2), .Words(Words), .Mshrs(Mshrs)) u_dut (
-    .clk_i(clk_i), .rst_ni(rst_ni), .id_i(id_i), .set_i(set_i), .load_i(1'b0), .ahead_set_i(set_i), .waiting_o(waiting_o), .full_o(full_o), .waits_o(waits_o),
-    .free_o(free_o), .way_i(way_i), .take_i(take_i), .line_way_i(way_i), .merge_i(merge_i), .fill_fires_i(fill_fires_i),
-    .fill_mshr_i(fill_mshr_i), .fill_set_o(fill_set_o), .fill_way_o(fill_way_o), .drain_valid_o(drain_valid_o),
-    .drain_id_o(drain_id_o), .drain_set_o(drain_set_o), .drain_way_o(drain_way_o), .drain_i(drain_i));
+    .clk_i(clk_i), .rst_ni(rst_ni), .id_i(id_i), .set_i(set_i), .load_i(1'b0), .ahead_set_i(set_i),
+    .waiting_o(waiting_o), .full_o(full_o), .waits_o(waits_o),
+    .free_o(free_o), .way_i(way_i), .take_i(take_i), .line_way_i(way_i), .merge_i(merge_i),
+    .fill_fires_i(fill_fires_i),
+    .fill_mshr_i(fill_mshr_i), .fill_set_o(fill_set_o), .fill_way_o(fill_way_o),
+    .drain_valid_o(drain_valid_o),
+    .drain_id_o(drain_id_o), .drain_set_o(drain_set_o), .drain_way_o(drain_way_o),
+    .drain_i(drain_i));
 
   logic begun_q = 1'b0;
   always @(posedge clk_i) begun_q <= 1'b1;
@@ -47,7 +54,8 @@ module mshr #(
     joined = 1'b0;
     for (int m = 0; m < Mshrs; m++) begin
       count[3*m +: 3] = '0;
-      for (int i = 0; i < Ids; i++) count[3*m +: 3] = count[3*m +: 3] + (waits_q[i] && own_q[i] == m);
+      for (int i = 0; i < Ids; i++) count[3*m +: 3] = count[3*m +: 3] + (waits_q[i] &&
+          own_q[i] == m);
       if (busy_q[m] && set_q[m] == set_i && way_q[m] == way_i) joined = m;
     end
   end
@@ -75,7 +83,8 @@ module mshr #(
       if (drain_i) begin
         waits_q[drain_id_o] <= 1'b0;
         for (int i = 0; i < Ids; i++)
-          if (waits_q[i] && own_q[i] == drained && i != drain_id_o) turn_q[2*i +: 2] <= turn_q[2*i +: 2] - 1'b1;
+          if (waits_q[i] && own_q[i] == drained && i != drain_id_o)
+            turn_q[2*i +: 2] <= turn_q[2*i +: 2] - 1'b1;
         if (count[3*drained +: 3] == 3'd1) begin
           busy_q[drained]   <= 1'b0;
           filled_q[drained] <= 1'b0;
@@ -84,7 +93,8 @@ module mshr #(
     end
   end
 
-  // ---- How rc_cache uses it: rc_tags gives a way that does not wait, and while a filled line is answered nothing is looked up.
+  // ---- How rc_cache uses it: rc_tags gives a way that does not wait, and while a filled line is
+  // answered nothing is looked up.
   always @* if (rst_ni) begin
     assume ({1'b0, take_i} + merge_i + drain_i <= 2'd1);
     assume (!(take_i || merge_i) || (!waits_q[id_i] && !drain_valid_o));
@@ -101,8 +111,10 @@ module mshr #(
     a_drain:   assert (drain_valid_o == (|filled_q));
     a_answer:  assert (!drain_valid_o || (waits_q[drain_id_o] && filled_q[drained]));
     a_in_turn: assert (!drain_valid_o || turn_q[2*drain_id_o +: 2] == '0);
-    a_place:   assert (!drain_valid_o || (drain_set_o == set_q[drained] && drain_way_o == way_q[drained]));
-    a_fill:    assert (!fill_fires_i || (fill_set_o == set_q[fill_mshr_i] && fill_way_o == way_q[fill_mshr_i]));
+    a_place:   assert (!drain_valid_o ||
+        (drain_set_o == set_q[drained] && drain_way_o == way_q[drained]));
+    a_fill:    assert (!fill_fires_i ||
+        (fill_set_o == set_q[fill_mshr_i] && fill_way_o == way_q[fill_mshr_i]));
     a_waiting: assert (waiting_o == ({1'b0, busy_q[0] && set_q[0] == set_i} << way_q[0] |
                                      {1'b0, busy_q[1] && set_q[1] == set_i} << way_q[1]));
     a_kept:    assert (busy_q[0] == (count[2:0] != '0) && busy_q[1] == (count[5:3] != '0));
@@ -112,12 +124,16 @@ module mshr #(
   (* hierconn *) wire \u_dut.gen_mshr[0].busy_q , \u_dut.gen_mshr[1].busy_q ;
   (* hierconn *) wire \u_dut.gen_mshr[0].set_q , \u_dut.gen_mshr[1].set_q ;
   (* hierconn *) wire \u_dut.gen_mshr[0].way_q , \u_dut.gen_mshr[1].way_q ;
-  (* hierconn *) wire [1:0] \u_dut.u_head.mem[0] , \u_dut.u_head.mem[1] , \u_dut.u_tail.mem[0] , \u_dut.u_tail.mem[1] ;
+  (* hierconn *) wire [1:0] \u_dut.u_head.mem[0] , \u_dut.u_head.mem[1] , \u_dut.u_tail.mem[0] ,
+      \u_dut.u_tail.mem[1] ;
   (* hierconn *) wire [1:0] \u_dut.u_last.mem[0] , \u_dut.u_last.mem[1] ;
-  (* hierconn *) wire [1:0] \u_dut.u_next.mem[0] , \u_dut.u_next.mem[1] , \u_dut.u_next.mem[2] , \u_dut.u_next.mem[3] ;
+  (* hierconn *) wire [1:0] \u_dut.u_next.mem[0] , \u_dut.u_next.mem[1] , \u_dut.u_next.mem[2] ,
+      \u_dut.u_next.mem[3] ;
   (* hierconn *) wire [1:0] \u_dut.u_place.mem[0] , \u_dut.u_place.mem[1] ;
-  (* hierconn *) wire [1:0] \u_dut.u_filled.u_fifo.u_fifo.head_q , \u_dut.u_filled.u_fifo.u_fifo.tail_q ;
-  (* hierconn *) wire [2:0] \u_dut.u_filled.u_fifo.u_fifo.mem[0] , \u_dut.u_filled.u_fifo.u_fifo.mem[1] ;
+  (* hierconn *) wire [1:0] \u_dut.u_filled.u_fifo.u_fifo.head_q ,
+      \u_dut.u_filled.u_fifo.u_fifo.tail_q ;
+  (* hierconn *) wire [2:0] \u_dut.u_filled.u_fifo.u_fifo.mem[0] ,
+      \u_dut.u_filled.u_fifo.u_fifo.mem[1] ;
   logic [1:0] in_busy, in_set, in_way, in_words, in_count, in_queue;
   logic [3:0] in_head, in_tail, in_place;
   logic [7:0] in_next;
@@ -127,7 +143,8 @@ module mshr #(
   assign in_way    = {\u_dut.gen_mshr[1].way_q , \u_dut.gen_mshr[0].way_q };
   assign in_head   = {\u_dut.u_head.mem[1] , \u_dut.u_head.mem[0] };
   assign in_tail   = {\u_dut.u_tail.mem[1] , \u_dut.u_tail.mem[0] };
-  assign in_next   = {\u_dut.u_next.mem[3] , \u_dut.u_next.mem[2] , \u_dut.u_next.mem[1] , \u_dut.u_next.mem[0] };
+  assign in_next   = {\u_dut.u_next.mem[3] , \u_dut.u_next.mem[2] , \u_dut.u_next.mem[1] ,
+      \u_dut.u_next.mem[0] };
   assign in_place  = {\u_dut.u_place.mem[1] , \u_dut.u_place.mem[0] };
   assign in_filled = {\u_dut.u_filled.u_fifo.u_fifo.mem[1] , \u_dut.u_filled.u_fifo.u_fifo.mem[0] };
   assign in_count  = \u_dut.u_filled.u_fifo.u_fifo.tail_q - \u_dut.u_filled.u_fifo.u_fifo.head_q ;
@@ -145,11 +162,14 @@ module mshr #(
   assign first  = in_filled[3*top +: 3];
   assign second = in_filled[3*!top +: 3];
   always @* if (begun_q && rst_ni) begin
-    t_busy: assert (in_busy == busy_q && (words_q & (filled_q | ~busy_q)) == '0 && in_words == words_q);
+    t_busy: assert (in_busy == busy_q && (words_q & (filled_q | ~busy_q)) == '0 &&
+        in_words == words_q);
     t_apart: assert (!(&busy_q) || set_q[0] != set_q[1] || way_q[0] != way_q[1]);
     t_filled: assert ((filled_q & ~busy_q) == '0 && in_count == {1'b0, filled_q[0]} + filled_q[1]);
-    t_first:  assert (in_count == '0 || (filled_q[first[2]] && first[1:0] == {set_q[first[2]], way_q[first[2]]}));
-    t_second: assert (in_count < 2'd2 || (second[2] != first[2] && second[1:0] == {set_q[second[2]], way_q[second[2]]}));
+    t_first:  assert (in_count == '0 ||
+        (filled_q[first[2]] && first[1:0] == {set_q[first[2]], way_q[first[2]]}));
+    t_second: assert (in_count < 2'd2 ||
+        (second[2] != first[2] && second[1:0] == {set_q[second[2]], way_q[second[2]]}));
     t_last:   assert (!busy_q[0] || \u_dut.u_last.mem[0] == \u_dut.u_tail.mem[0] );
     t_last_1: assert (!busy_q[1] || \u_dut.u_last.mem[1] == \u_dut.u_tail.mem[1] );
     t_line:   assert (line_ok);
@@ -159,17 +179,20 @@ module mshr #(
     t_next:   assert (next_ok);
   end
 
-  // Chains: each waiting requester has a line and a turn of its own; first, last and next are as the turns say.
+  // Chains: each waiting requester has a line and a turn of its own; first, last and next are as
+  // the turns say.
   logic line_ok, owner_ok, ends_ok, order_ok, next_ok;
   always @* begin
     {line_ok, owner_ok, ends_ok, order_ok, next_ok} = '1;
     for (int m = 0; m < Mshrs; m++) if (busy_q[m]) begin
-      if (in_set[m] != set_q[m] || in_way[m] != way_q[m] || in_place[2*m +: 2] != {set_q[m], way_q[m]}) line_ok = 1'b0;
+      if (in_set[m] != set_q[m] || in_way[m] != way_q[m] ||
+          in_place[2*m +: 2] != {set_q[m], way_q[m]}) line_ok = 1'b0;
     end
     for (int i = 0; i < Ids; i++) if (waits_q[i]) begin
       if (!busy_q[own_q[i]] || turn_q[2*i +: 2] >= count[3*own_q[i] +: 3]) owner_ok = 1'b0;
       if (turn_q[2*i +: 2] == '0 && in_head[2*own_q[i] +: 2] != i) ends_ok = 1'b0;
-      if (turn_q[2*i +: 2] + 3'd1 == count[3*own_q[i] +: 3] && in_tail[2*own_q[i] +: 2] != i) ends_ok = 1'b0;
+      if (turn_q[2*i +: 2] + 3'd1 == count[3*own_q[i] +: 3] && in_tail[2*own_q[i] +: 2] != i)
+        ends_ok = 1'b0;
       for (int j = 0; j < Ids; j++) if (i != j && waits_q[j] && own_q[i] == own_q[j]) begin
         if (turn_q[2*i +: 2] == turn_q[2*j +: 2]) order_ok = 1'b0;
         if (turn_q[2*i +: 2] + 3'd1 == turn_q[2*j +: 2] && in_next[2*i +: 2] != j) next_ok = 1'b0;

@@ -1,5 +1,6 @@
-// Property of rc_mul_held: if operands stay stable for Every cycles, all their products are right in the last one.
-// With Late operands phase_i is late as well, so the last cycle is phase Every - 1 - Late.
+// Property of rc_mul_held: if operands stay stable for Every cycles, all their products are right
+// in the last one. With Late operands phase_i is late as well, so the last cycle is phase Every - 1
+// - Late.
 module mul_held #(
   parameter  int unsigned AW       = 3,
   parameter  int unsigned BW       = 3,

@@ -1,5 +1,6 @@
-// Property of rc_mul_shared, and of rc_mul_parts with Parts = 1: Share - 1 cycles after the operands it gives all their products,
-// for all values. Operands before and after are arbitrary, at least Share cycles away.
+// Property of rc_mul_shared, and of rc_mul_parts with Parts = 1: Share - 1 cycles after the
+// operands it gives all their products, for all values. Operands before and after are arbitrary, at
+// least Share cycles away.
 module mul_shared #(
   parameter  int unsigned AW       = 3,
   parameter  int unsigned BW       = 4,

@@ -1,5 +1,6 @@
-// Properties of rc_priority_merge, if an offer stays until it is accepted: the output carries the offer of one source, and only
-// that source sees the acceptance. The first source goes before the second, but an offer on the output stays until accepted.
+// Properties of rc_priority_merge, if an offer stays until it is accepted: the output carries the
+// offer of one source, and only that source sees the acceptance. The first source goes before the
+// second, but an offer on the output stays until accepted.
 module priority_merge #(
   parameter int unsigned Width = 2
 ) (
@@ -14,7 +15,8 @@ module priority_merge #(
   logic             first_ready_o, second_ready_o, valid_o;
   logic [Width-1:0] data_o;
   rc_priority_merge #(.Width(Width)) u_dut (
-    .clk_i(clk_i), .rst_ni(rst_ni), .first_valid_i(first_valid_i), .first_ready_o(first_ready_o), .first_i(first_i),
+    .clk_i(clk_i), .rst_ni(rst_ni), .first_valid_i(first_valid_i), .first_ready_o(first_ready_o),
+    .first_i(first_i),
     .second_valid_i(second_valid_i), .second_ready_o(second_ready_o), .second_i(second_i),
     .valid_o(valid_o), .ready_i(ready_i), .data_o(data_o));
   (* hierconn *) wire \u_dut.held_q , \u_dut.held_second_q ;

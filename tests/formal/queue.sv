@@ -1,5 +1,5 @@
-// Properties of rc_queue, if it never gets more than Depth entries: those of rc_fifo (fifo.sv), and it accepts every push.
-// Depth may be 1.
+// Properties of rc_queue, if it never gets more than Depth entries: those of rc_fifo (fifo.sv), and
+// it accepts every push. Depth may be 1.
 module queue #(
   parameter  int unsigned Depth  = 4,
   parameter  int unsigned Width  = 2,
@@ -16,7 +16,8 @@ module queue #(
   logic             valid_o;
   logic [Width-1:0] data_o;
   rc_queue #(.Width(Width), .Depth(Depth)) u_dut (
-    .clk_i(clk_i), .rst_ni(rst_ni), .push_i(push_i), .data_i(data_i), .valid_o(valid_o), .pop_i(pop_i), .data_o(data_o));
+    .clk_i(clk_i), .rst_ni(rst_ni), .push_i(push_i), .data_i(data_i), .valid_o(valid_o),
+    .pop_i(pop_i), .data_o(data_o));
   (* hierconn *) wire            \u_dut.ready ;
   (* hierconn *) wire [IndexW:0] \u_dut.u_fifo.u_fifo.head_q ;
   (* hierconn *) wire [IndexW:0] \u_dut.u_fifo.u_fifo.tail_q ;
@@ -60,7 +61,8 @@ module queue #(
   logic [4*Width-1:0] all;
   logic [Width-1:0]   kept;
   assign place = \u_dut.u_fifo.u_fifo.head_q [IndexW-1:0] + ahead_q[IndexW-1:0];
-  assign all   = {\u_dut.u_fifo.u_fifo.mem[3] , \u_dut.u_fifo.u_fifo.mem[2] , \u_dut.u_fifo.u_fifo.mem[1] , \u_dut.u_fifo.u_fifo.mem[0] };
+  assign all   = {\u_dut.u_fifo.u_fifo.mem[3] , \u_dut.u_fifo.u_fifo.mem[2] ,
+      \u_dut.u_fifo.u_fifo.mem[1] , \u_dut.u_fifo.u_fifo.mem[0] };
   assign kept  = all[place*Width +: Width];
 
   always @* if (begun_q && rst_ni) begin

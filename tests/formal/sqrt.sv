@@ -1,5 +1,6 @@
-// Properties of rc_sqrt, for every square: the root is the floor, and inexact_o is set if there is a remainder. A delay line
-// follows one request through the stages. Requests before and after it are arbitrary, at least Every cycles away.
+// Properties of rc_sqrt, for every square: the root is the floor, and inexact_o is set if there is
+// a remainder. A delay line follows one request through the stages. Requests before and after it
+// are arbitrary, at least Every cycles away.
 module sqrt #(
   parameter  int unsigned Stages  = 2,
   parameter  int unsigned Bits    = 2,

@@ -1,10 +1,13 @@
-// Properties of rc_tags, if a way is allocated only for a line that is not in the set, and only if not all ways wait:
-// - an allocated line is found in its way until the way is allocated again, and no other line is found;
+// Properties of rc_tags, if a way is allocated only for a line that is not in the set, and only if
+// not all ways wait:
+// - an allocated line is found in its way until the way is allocated again, and no other line is
+//   found;
 // - no line has two ways;
 // - a way that waits is not replaced;
 // - the way that was used last is not the next one to be replaced, unless all others wait.
 //
-// The proof uses two sets of four ways. It tracks every way's line, and which way of a set was used last.
+// The proof uses two sets of four ways. It tracks every way's line, and which way of a set was used
+// last.
 module tags #(
   parameter  int unsigned TagW = 2,
   localparam int unsigned Sets = 2,
@@ -22,7 +25,9 @@ module tags #(
   logic [1:0] way_o, found_o;
   logic [3:0] hits_o;
   rc_tags #(.TagW(TagW), .Sets(Sets), .Ways(Ways)) u_dut (
-    .clk_i(clk_i), .rst_ni(rst_ni), .next_load_i(1'b0), .next_set_i(set_i), .load_i(1'b0), .ahead_set_i(set_i), .ahead_tag_i(tag_i), .set_i(set_i), .tag_i(tag_i), .waiting_i(waiting_i), .hits_o(hits_o), .hit_o(hit_o), .found_o(found_o),
+    .clk_i(clk_i), .rst_ni(rst_ni), .next_load_i(1'b0), .next_set_i(set_i), .load_i(1'b0),
+    .ahead_set_i(set_i), .ahead_tag_i(tag_i), .set_i(set_i), .tag_i(tag_i), .waiting_i(waiting_i),
+    .hits_o(hits_o), .hit_o(hit_o), .found_o(found_o),
     .conflict_o(conflict_o), .way_o(way_o), .touch_i(touch_i), .take_i(take_i));
 
   // Reset is held once, for as many cycles as there are sets.
@@ -66,7 +71,8 @@ module tags #(
       has[w] = valid_q[Ways*set_i + w] && tag_q[TagW*(Ways*set_i + w) +: TagW] == tag_i;
       for (int s = 0; s < Sets; s++)
         for (int v = 0; v < w; v++)
-          if (valid_q[Ways*s + v] && valid_q[Ways*s + w] && tag_q[TagW*(Ways*s + v) +: TagW] == tag_q[TagW*(Ways*s + w) +: TagW])
+          if (valid_q[Ways*s + v] && valid_q[Ways*s + w] &&
+              tag_q[TagW*(Ways*s + v) +: TagW] == tag_q[TagW*(Ways*s + w) +: TagW])
             apart = 1'b0;
     end
   end
@@ -76,19 +82,26 @@ module tags #(
     a_conflict: assert (conflict_o == (&waiting_i));
     a_waits:    assert (hit_o || conflict_o || !waiting_i[way_o]);
     a_found:    assert (!hit_o || (found_o == way_o && hits_o == 4'd1 << way_o));
-    a_last:     assert (hit_o || waiting_i != '0 || !used_q[set_i] || way_o != last_q[2*set_i +: 2]);
+    a_last:     assert (hit_o || waiting_i != '0 || !used_q[set_i] ||
+        way_o != last_q[2*set_i +: 2]);
   end
 
   // ---- Ties to the inside, as an induction needs them.
-  (* hierconn *) wire [TagW:0] \u_dut.gen_way[0].gen_memory.u_tag.mem[0] , \u_dut.gen_way[0].gen_memory.u_tag.mem[1] ;
-  (* hierconn *) wire [TagW:0] \u_dut.gen_way[1].gen_memory.u_tag.mem[0] , \u_dut.gen_way[1].gen_memory.u_tag.mem[1] ;
-  (* hierconn *) wire [TagW:0] \u_dut.gen_way[2].gen_memory.u_tag.mem[0] , \u_dut.gen_way[2].gen_memory.u_tag.mem[1] ;
-  (* hierconn *) wire [TagW:0] \u_dut.gen_way[3].gen_memory.u_tag.mem[0] , \u_dut.gen_way[3].gen_memory.u_tag.mem[1] ;
+  (* hierconn *) wire [TagW:0] \u_dut.gen_way[0].gen_memory.u_tag.mem[0] ,
+      \u_dut.gen_way[0].gen_memory.u_tag.mem[1] ;
+  (* hierconn *) wire [TagW:0] \u_dut.gen_way[1].gen_memory.u_tag.mem[0] ,
+      \u_dut.gen_way[1].gen_memory.u_tag.mem[1] ;
+  (* hierconn *) wire [TagW:0] \u_dut.gen_way[2].gen_memory.u_tag.mem[0] ,
+      \u_dut.gen_way[2].gen_memory.u_tag.mem[1] ;
+  (* hierconn *) wire [TagW:0] \u_dut.gen_way[3].gen_memory.u_tag.mem[0] ,
+      \u_dut.gen_way[3].gen_memory.u_tag.mem[1] ;
   (* hierconn *) wire [Ways-1:0] \u_dut.gen_tree.u_recent.mem[0] , \u_dut.gen_tree.u_recent.mem[1] ;
   logic [(TagW+1)*Places-1:0] in_tag;
   assign in_tag = {
-    \u_dut.gen_way[3].gen_memory.u_tag.mem[1] , \u_dut.gen_way[2].gen_memory.u_tag.mem[1] , \u_dut.gen_way[1].gen_memory.u_tag.mem[1] ,
-    \u_dut.gen_way[0].gen_memory.u_tag.mem[1] , \u_dut.gen_way[3].gen_memory.u_tag.mem[0] , \u_dut.gen_way[2].gen_memory.u_tag.mem[0] ,
+    \u_dut.gen_way[3].gen_memory.u_tag.mem[1] , \u_dut.gen_way[2].gen_memory.u_tag.mem[1] ,
+        \u_dut.gen_way[1].gen_memory.u_tag.mem[1] ,
+    \u_dut.gen_way[0].gen_memory.u_tag.mem[1] , \u_dut.gen_way[3].gen_memory.u_tag.mem[0] ,
+        \u_dut.gen_way[2].gen_memory.u_tag.mem[0] ,
     \u_dut.gen_way[1].gen_memory.u_tag.mem[0] , \u_dut.gen_way[0].gen_memory.u_tag.mem[0] };
   logic same;
   always @* begin

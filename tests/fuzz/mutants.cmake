@@ -1,5 +1,12 @@
 # Faults in parsers that the fuzzing must find: TARGET is the fuzz target, RUNS the most inputs that it may
-# need. As in tests/meta, the text must occur in the file exactly once.
+# need. As in tests/meta, the text must occur in the file exactly once. A file that includes this table sets
+# `for_each_mutant` to its own function. That function gets the name of a row, and reads the row as ARG_FILE,
+# ARG_OLD and so on.
+function(fuzz_mutant name)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "QUICK" "FILE;TARGET;RUNS;OLD;NEW" "")
+  cmake_language(CALL ${for_each_mutant} ${name})
+endfunction()
+
 fuzz_mutant(ply_index_unchecked QUICK FILE sim/load/mesh/read_ply.cpp TARGET ply RUNS 20000
   OLD [[index < static_cast<double>(vertices_)]]
   NEW [[index >= 0]])

@@ -93,7 +93,7 @@ TEST_CASE("golden pictures are found by scene and size, and hold within their bo
     CHECK(folder.files() == 1);
 }
 
-TEST_CASE("golden bounds: 3 dB and twice the pixels for each bit below sixteen", "[golden]") {
+TEST_CASE("golden bounds widen by 3 dB and twice the pixels for each bit below sixteen", "[golden]") {
     CHECK(golden_bounds(20).min_psnr_db == golden_min_psnr_db);
     CHECK(golden_bounds(16).max_beyond == golden_max_beyond);
     CHECK(golden_bounds(15).min_psnr_db == Approx(golden_min_psnr_db - 3.0103));

@@ -55,7 +55,7 @@ void check_refused(const Folder& folder, const std::vector<Bad>& cases) {
 
 }   // namespace
 
-TEST_CASE("bad JSON scenes") {
+TEST_CASE("malformed JSON scenes are refused") {
     const Folder folder;
     REQUIRE(complaint(folder.write("good.json", scene(""))).empty());
     folder.write("self.json", R"({"meshes":{"a":{"file":"self.json"}},"objects":[{"mesh":"a"}]})");
@@ -121,7 +121,7 @@ TEST_CASE("bad JSON scenes") {
     check_refused(folder, cases);
 }
 
-TEST_CASE("bad spheres, planes, materials and lights in a JSON scene") {
+TEST_CASE("malformed spheres, planes, materials and lights of a JSON scene are refused") {
     const Folder folder;
     check_refused(
         folder,

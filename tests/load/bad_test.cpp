@@ -46,7 +46,7 @@ const std::string v3 = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
 }   // namespace
 
-TEST_CASE("bad names") {
+TEST_CASE("a missing or unreadable file is refused by name") {
     const Folder folder;
     CHECK(complaint(folder.name("none.obj")) == folder.name("none.obj") + ": there is no such file");
     CHECK(complaint(folder.name("none.json")) == folder.name("none.json") + ": there is no such file");
@@ -67,7 +67,7 @@ TEST_CASE("bad names") {
     if (geteuid() != 0) CHECK(complaint(locked) == locked + ": cannot be read (Permission denied)");
 }
 
-TEST_CASE("bad OBJ") {
+TEST_CASE("malformed OBJ files are refused") {
     check({{"a.obj", png, {"line 2", "this is not OBJ"}},
            {"a.obj", "# only words\n", {"no triangles"}},
            {"a.obj", v3, {"no triangles"}},
@@ -109,7 +109,7 @@ TEST_CASE("bad OBJ") {
           std::string::npos);
 }
 
-TEST_CASE("bad PLY") {
+TEST_CASE("malformed PLY files are refused") {
     const Octahedron o;
     const std::string text = o.ply_ascii(), little = o.ply_binary(false), big = o.ply_binary(true);
     const std::size_t body = little.find("end_header\n") + 11;
@@ -148,7 +148,7 @@ TEST_CASE("bad PLY") {
            {"a.ply", many, {"face 0", "out of range"}}});
 }
 
-TEST_CASE("bad STL") {
+TEST_CASE("malformed STL files are refused") {
     const Octahedron o;
     const std::string text = o.stl_ascii(), binary = o.stl_binary();
     std::string infinite = binary, none = binary.substr(0, 84);
@@ -171,7 +171,7 @@ TEST_CASE("bad STL") {
            {"a.stl", with(text, "facet normal", "facet nomal"), {"line 2", "'nomal'"}}});
 }
 
-TEST_CASE("bad glTF") {
+TEST_CASE("malformed glTF files are refused") {
     const Octahedron o;
     const std::string text = o.gltf("data:;base64," + base64(o.bin())), glb = o.glb();
     const auto changed = [&](const std::string& old, const std::string& fresh) {

@@ -271,7 +271,7 @@ TEST_CASE("dae: colours come by parameters, a missing one is black, a glowing on
     CHECK_THAT(lost.notes, Contains("1 primitive whose material is not in the file, drawn grey"));
 }
 
-TEST_CASE("dae: how transparent a material is, in the four modes of the standard") {
+TEST_CASE("dae: a material's transparency follows the four modes of the standard") {
     const std::string half = "0.5 0.5 0.5 1";
     CHECK(transmitted("opaque=\"A_ONE\"", "0 0 0 0.5", "0.5") == Approx(0.75));
     CHECK(transmitted("", "0 0 0 0.5", "0.5") == Approx(0.75));

@@ -86,7 +86,7 @@ TEST_CASE("dae: a picture by its sampler and surface replaces the diffuse colour
     CHECK(texture.pyramid->levels[0].texels[1] == std::array<std::uint8_t, 4>{255, 0, 0, 255});
 }
 
-TEST_CASE("dae: a picture without a surface, as in 1.5, and a picture that the texture names itself") {
+TEST_CASE("dae: a picture is found without a surface, as in 1.5, and if the texture names it") {
     Document document;
     document.params.clear();
     document.images = "<image id=\"i\"><init_from><ref>./p.png</ref></init_from></image>";
@@ -120,7 +120,7 @@ TEST_CASE("dae: names of pictures are URIs, and absolute names mean files next t
     CHECK_THAT(notes[0], Contains("p.png lies outside the folder of the document"));
 }
 
-TEST_CASE("dae: the sampler's wrap modes and filters") {
+TEST_CASE("dae: the sampler sets wrap modes and filters") {
     Document document;
     const auto sampled = [&](const std::string& keys) {
         document.sampler = "<sampler2D><source>surface</source>" + keys + "</sampler2D>";
@@ -187,7 +187,7 @@ TEST_CASE("dae: two copies of a mesh can show different sets of coordinates") {
     CHECK(made.scene.textures.size() == 1);
 }
 
-TEST_CASE("dae: coordinates of polygons, strips, fans, vertices, and sources with other strides") {
+TEST_CASE("dae: coordinates are read from polygons, strips, fans, vertices, and sources with other strides") {
     Document document;
     const auto check = [&](const std::string& primitive, const std::string& lists, std::size_t triangles) {
         INFO(primitive);

@@ -100,7 +100,7 @@ TEST_CASE("a loaded scene passes check_scene(), and progress is reported") {
     CHECK_NOTHROW(check_scene(scene, "test"));
 }
 
-TEST_CASE("ply: order of properties, other types, other elements and other lists") {
+TEST_CASE("ply: properties may have any order and type, and other elements and lists are skipped") {
     const Folder folder;
     const Scene scene = folder.load(
         "a.ply",
@@ -116,7 +116,7 @@ TEST_CASE("ply: order of properties, other types, other elements and other lists
     CHECK(std::find(second.begin(), second.end(), glm::dvec3(2, 6, 1)) != second.end());
 }
 
-TEST_CASE("normals: kept if the file has them, and facets next to them stay flat") {
+TEST_CASE("normals are kept if the file has them, and facets next to them stay flat") {
     const Folder folder;
     const std::string v = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
     CHECK(folder.load("flat.obj", v + "f 1 2 3\n").normals.empty());

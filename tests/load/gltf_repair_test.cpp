@@ -66,7 +66,7 @@ std::size_t seen(const Scene& scene) {
 
 }   // namespace
 
-TEST_CASE("gltf: unlit and emissive colours do not depend on the lights") {
+TEST_CASE("glTF: unlit and emissive colours do not depend on the lights") {
     const Material unlit = with_material({{"extensions", {{"KHR_materials_unlit", Json::object()}}},
                                           {"pbrMetallicRoughness", {{"baseColorFactor", {1, 0.5, 0, 1}}}}})
                                .scene.materials[0];
@@ -92,7 +92,7 @@ TEST_CASE("gltf: unlit and emissive colours do not depend on the lights") {
                   {"1 material with extensions that are not drawn ('material 0')"});
 }
 
-TEST_CASE("gltf: specular and glossiness become colour, mirror and highlight") {
+TEST_CASE("glTF: specular and glossiness become colour, mirror and highlight") {
     const auto material = [](const Json& own) {
         return with_material({{"extensions", {{"KHR_materials_pbrSpecularGlossiness", own}}},
                               {"pbrMetallicRoughness", {{"baseColorFactor", {0, 1, 0, 1}}}}})
@@ -114,7 +114,7 @@ TEST_CASE("gltf: specular and glossiness become colour, mirror and highlight") {
     CHECK(plastic.highlight == 0.5);
 }
 
-TEST_CASE("gltf: a constant opacity below the cutoff is invisible") {
+TEST_CASE("glTF: a constant opacity below the cutoff is invisible") {
     Animated file;
     file.json["materials"] = {
         {{"alphaMode", "MASK"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 0, 0, 0.2}}}}},
@@ -134,7 +134,7 @@ TEST_CASE("gltf: a constant opacity below the cutoff is invisible") {
                               "(alphaMode MASK) ('meshes[0].primitives[0]')"});
 }
 
-TEST_CASE("gltf: a file without a visible surface gives an empty picture") {
+TEST_CASE("glTF: a file without a visible surface gives an empty picture") {
     Animated file;
     file.json["materials"] = {
         {{"alphaMode", "MASK"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 0, 0, 0.2}}}}}};
@@ -147,7 +147,7 @@ TEST_CASE("gltf: a file without a visible surface gives an empty picture") {
     CHECK(made.notes.size() == 1);
 }
 
-TEST_CASE("gltf: orthographic cameras and spot lights are reported") {
+TEST_CASE("glTF: orthographic cameras and spot lights are reported") {
     Animated file;
     file.json["cameras"] = {
         {{"type", "orthographic"}, {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"zfar", 9}, {"znear", 0}}}}};
@@ -164,7 +164,7 @@ TEST_CASE("gltf: orthographic cameras and spot lights are reported") {
                               "1 spot light drawn as a point light ('nodes[2]')"});
 }
 
-TEST_CASE("gltf: colours of vertices multiply that of the material, by faces") {
+TEST_CASE("glTF: colours of vertices multiply that of the material, by faces") {
     Animated file;
     std::vector<float> colours;
     for (int v = 0; v < 6; ++v)   // 0, 2 and 4 are red: the first triangle
@@ -190,7 +190,7 @@ TEST_CASE("gltf: colours of vertices multiply that of the material, by faces") {
     CHECK(colour(read(file).scene, 8) == glm::dvec3(0.5, 0, 0));
 }
 
-TEST_CASE("gltf: EXT_mesh_gpu_instancing draws a mesh in many places") {
+TEST_CASE("glTF: EXT_mesh_gpu_instancing draws a mesh in many places") {
     Animated file;
     const float c = std::sqrt(0.5f);
     file.json["extensionsRequired"] = {"EXT_mesh_gpu_instancing"};
@@ -220,7 +220,7 @@ TEST_CASE("gltf: EXT_mesh_gpu_instancing draws a mesh in many places") {
     check_says(file.says(), {"SCALE", "1 places", "has 3"});
 }
 
-TEST_CASE("gltf: weights of a skin count by their proportion, and without any the first joint carries") {
+TEST_CASE("glTF: weights of a skin count by their proportion, and without any the first joint carries") {
     const auto weighted = [](std::vector<float> of_third) {
         Skinned file;
         std::vector<float> all;
@@ -256,7 +256,7 @@ TEST_CASE("gltf: weights of a skin count by their proportion, and without any th
     CHECK(out.says().empty());
 }
 
-TEST_CASE("gltf: a key of scale 0 hides its node until the next one") {
+TEST_CASE("glTF: a key of scale 0 hides its node until the next one") {
     Animated file;
     file.json["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}, {"translation", {4, 0, 0}}}};
     file.json["scenes"] = {{{"nodes", {0, 1}}}};
@@ -274,7 +274,7 @@ TEST_CASE("gltf: a key of scale 0 hides its node until the next one") {
     CHECK(seen(made.scene) == 8);
 }
 
-TEST_CASE("gltf: values that no triangle uses may be NaN") {
+TEST_CASE("glTF: values that no triangle uses may be NaN") {
     Animated file;
     const float nan = NAN;
     std::vector<float> positions, normals;
@@ -313,7 +313,7 @@ TEST_CASE("gltf: values that no triangle uses may be NaN") {
     CHECK(other.says().empty());
 }
 
-TEST_CASE("gltf: an accessor without data is zeros, unless the mesh is compressed") {
+TEST_CASE("glTF: an accessor without data is zeros, unless the mesh is compressed") {
     Animated file;
     file.json["accessors"].push_back({{"componentType", 5126}, {"type", "VEC3"}, {"count", 6}});
     primitive(file)["targets"] = {{{"POSITION", 2}}};

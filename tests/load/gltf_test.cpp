@@ -30,7 +30,7 @@ double volume(const Scene& scene) {
 
 }   // namespace
 
-TEST_CASE("gltf: copies are placed by the product of their nodes") {
+TEST_CASE("glTF: copies are placed by the product of their nodes") {
     Json json = document();
     json["nodes"] = {{{"children", {1, 2}}, {"translation", {10, 0, 0}}},
                      {{"mesh", 0}, {"scale", {2, 2, 2}}},
@@ -48,7 +48,7 @@ TEST_CASE("gltf: copies are placed by the product of their nodes") {
     CHECK(volume(scene) == Approx(9 * volume(load(document()))));
 }
 
-TEST_CASE("gltf: a mirrored node keeps the outside outside, also as a matrix") {
+TEST_CASE("glTF: a mirrored node keeps the outside outside, also as a matrix") {
     const double inside = volume(load(document()));
     CHECK(inside > 0);
     Json json = document();
@@ -63,7 +63,7 @@ TEST_CASE("gltf: a mirrored node keeps the outside outside, also as a matrix") {
     CHECK(box.hi == glm::dvec3(7.5, 9, 11));
 }
 
-TEST_CASE("gltf: strips, fans, no indices and primitives that are not triangles") {
+TEST_CASE("glTF: strips, fans and faces without indices are triangles, and lines are left out") {
     Json json = document();
     auto& primitive = json["meshes"][0]["primitives"][0];
     primitive["mode"] = 5;
@@ -82,7 +82,7 @@ TEST_CASE("gltf: strips, fans, no indices and primitives that are not triangles"
     CHECK(load(json).triangles.size() == 2);
 }
 
-TEST_CASE("gltf: strides, offsets and scaled integers") {
+TEST_CASE("glTF: strides, offsets and scaled integers are read") {
     Json json = document();
     json["bufferViews"][0]["byteStride"] = 24;
     json["accessors"][0]["count"] = 3;
@@ -97,7 +97,7 @@ TEST_CASE("gltf: strides, offsets and scaled integers") {
     CHECK(corners_of(load(json))[0][0].z == Approx(4.0 / 65535));
 }
 
-TEST_CASE("gltf: base colour, metal, glass") {
+TEST_CASE("glTF: base colour, metal and glass are read") {
     Json json = document();
     json["materials"] = {
         {{"name", "red"},
@@ -124,7 +124,7 @@ TEST_CASE("gltf: base colour, metal, glass") {
     CHECK(material(3).index == 1.25);
 }
 
-TEST_CASE("gltf: a camera without roll has the vertical as its up direction, another its own axis") {
+TEST_CASE("glTF: a camera without roll has the vertical as its up direction, another its own axis") {
     const auto camera_with = [](const Json& rotation) {
         Json json = document();
         json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}}}}};
@@ -149,7 +149,7 @@ TEST_CASE("gltf: a camera without roll has the vertical as its up direction, ano
     CHECK(glm::normalize(camera_with({0, 0, 1, 0}).up).y == Approx(-1));
 }
 
-TEST_CASE("gltf: cameras and lights are placed by their nodes") {
+TEST_CASE("glTF: cameras and lights are placed by their nodes") {
     Json json = document();
     json["cameras"] = {
         {{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}, {"aspectRatio", 2}}}}};

@@ -144,7 +144,7 @@ TEST_CASE("pictures: CMYK becomes red, green and blue") {
           std::array<std::uint8_t, 4>{200, 200, 200, 255});
 }
 
-TEST_CASE("pictures: interlaced rows, palettes with alpha, and 16 bits with alpha") {
+TEST_CASE("pictures: interlaced rows, palettes with alpha, and 16 bits with alpha are decoded") {
     // The passes of 3 x 2 texels: a, c, b, then the second row.
     CHECK(decoded_picture(png_of(3, 2, 8, 0, bytes_of({0, 10, 0, 30, 0, 20, 0, 40, 50, 60}), {}, true))
               .texels ==

@@ -100,7 +100,7 @@ TEST_CASE("json: a graph of instances becomes one level") {
     CHECK(flat.materials[flat.triangles[112].material].name == "green");
 }
 
-TEST_CASE("json: smooth meshes next to flat ones, with instances") {
+TEST_CASE("json: a smooth mesh keeps its normals next to flat ones, with instances") {
     const Folder folder;
     folder.write("n.obj", "v 0 0 0\nv 1 0 -1\nv 0 1 0\nvn 1 0 1\nf 1//1 2//1 3//1\n");
     Json json = with_instances(three);
@@ -122,7 +122,7 @@ TEST_CASE("json: true spheres of a mesh with instances are copied") {
     CHECK(scene.triangles.size() == 4);
 }
 
-TEST_CASE("json: a million instances") {
+TEST_CASE("json: a million instances load") {
     Json json = {
         {"meshes", {{"t", {{"vertices", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {"triangles", {{0, 1, 2}}}}}}},
         {"objects", {{{"mesh", "t"}, {"instances", Json::array()}}}}};
@@ -134,7 +134,7 @@ TEST_CASE("json: a million instances") {
     CHECK(scene.vertices[scene.triangles.back().vertex[0]] == glm::dvec3(999, 999, 0));
 }
 
-TEST_CASE("bad instances of JSON scenes") {
+TEST_CASE("malformed instances of a JSON scene are refused with their place") {
     const Folder folder;
     const auto sentence = [&](const Json& json) { return complaint(folder.write("bad.json", json.dump())); };
     const auto says = [&](const Json& instance, const std::string& words) {

@@ -80,7 +80,7 @@ TEST_CASE("json: normals go by the inverse transpose, through mirrors as well") 
     CHECK(glm::length(normal(1e-60) - glm::normalize(glm::dvec3(1, 0, 1))) < 1e-6);
 }
 
-TEST_CASE("json: flat and smooth meshes side by side") {
+TEST_CASE("json: a flat mesh has its facets' normals next to a smooth one") {
     const Folder folder;
     folder.write("n.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0.6 0.8\nf 1//1 2//1 3//1\n");
     Json json = document();

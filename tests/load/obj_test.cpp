@@ -199,7 +199,7 @@ TEST_CASE("a binary file may begin with a byte that looks like a line break") {
     }
 }
 
-TEST_CASE("groups, objects, points, lines, textures and continued lines") {
+TEST_CASE("obj: groups, objects, points, lines, textures and continued lines change no face") {
     const Folder folder;
     const std::string v = "v 0 0 0 1.0\nv 1 0 0 0.5 0.5 0.5\nv 0 1 0\nv 0 0 1\nvt 0 0\n";
     const Scene scene = folder.load(
@@ -230,7 +230,7 @@ TEST_CASE("faces keep the order of the file through groups and materials") {
     CHECK(names == std::vector<std::string>{"blue stone", "default", "red"});
 }
 
-TEST_CASE("mtl colours, highlights, transparency and missing materials") {
+TEST_CASE("mtl: colours, highlights and transparency are read, and a missing material is grey") {
     const Folder folder;
     folder.write(
         "my colours.mtl",

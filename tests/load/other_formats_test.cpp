@@ -43,7 +43,7 @@ constexpr const char* tetrahedron = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 
 
 }   // namespace
 
-TEST_CASE("off: counts on the keyword's line, comments, polygons, normals, colours") {
+TEST_CASE("off: counts on the keyword's line, comments, polygons, normals and colours are read") {
     const Folder folder;
     CHECK(folder.load("a.off", std::string("OFF 4 4 6 # so many\n\n# nothing\n") + tetrahedron)
               .triangles.size() == 4);
@@ -80,7 +80,7 @@ TEST_CASE("off: what makes no sense is refused with its line") {
     check_refused("a.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n2 0 1\n", {"no triangles"});
 }
 
-TEST_CASE("3ds: materials by face, and faces in the order of the file") {
+TEST_CASE("3ds: faces keep their materials and the order of the file") {
     const Folder folder;
     const std::string red =
         chunk(0xafff, chunk(0xa000, std::string("red\0", 4)) +
@@ -143,7 +143,7 @@ TEST_CASE("3ds: what makes no sense is refused") {
         {"vertex index 6 is out of range", "has 6"});
 }
 
-TEST_CASE("dae: nodes with transforms, copies of nodes, colours of materials, polygons and strips") {
+TEST_CASE("dae: nodes with transforms, copies of nodes, colours of materials, polygons and strips are read") {
     const Folder folder;
     const std::string library =
         "<library_effects><effect id=\"e\"><profile_COMMON><technique sid=\"t\"><phong><diffuse><color>1 0.5 "
@@ -228,7 +228,7 @@ TEST_CASE("dae: what makes no sense is refused with its line") {
         {"MB of"});
 }
 
-TEST_CASE("gzip: damaged, cut off, followed by something else, or too much") {
+TEST_CASE("gzip: data that are damaged, cut off or followed by others are refused") {
     const std::string sound = gz_of(Octahedron().obj());
     check_refused("a.obj.gz", Octahedron().obj(), {"not gzip"});
     check_refused("a.obj.gz", sound.substr(0, sound.size() - 9), {"cut off"});
@@ -243,7 +243,7 @@ TEST_CASE("gzip: damaged, cut off, followed by something else, or too much") {
 }
 
 TEST_CASE(
-    "gltf: --no-textures draws the mean of the base colour's texture, from a file, from inside, or none") {
+    "glTF: --no-textures draws the mean of the base colour's texture, from a file, from inside, or none") {
     const Folder folder;
     Picture picture{{2, 1}, {{1, 0, 0.25f}, {0, 0, 0.25f}}};
     const std::string png = png_bytes(picture);

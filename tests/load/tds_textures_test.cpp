@@ -61,7 +61,7 @@ TEST_CASE("3ds: a picture replaces the diffuse colour, and t increases upwards")
     CHECK(read(folder, tds("")).material().colour.r == Approx(128 / 255.0));
 }
 
-TEST_CASE("3ds: scale, offset and tiling of a picture") {
+TEST_CASE("3ds: scale, offset and tiling of a picture are read") {
     const Folder folder;
     // The shift into the first period removes whole offsets, so these are fractions.
     LoadedScene made =
@@ -84,7 +84,7 @@ TEST_CASE("3ds: scale, offset and tiling of a picture") {
     CHECK_THAT(made.notes[2], Contains("1 material with other textures, which are not drawn ('m')"));
 }
 
-TEST_CASE("3ds: missing pictures, missing coordinates, and --no-textures") {
+TEST_CASE("3ds: without a picture, without coordinates and with --no-textures one colour is drawn") {
     const Folder folder;
     LoadedScene made = read(folder, tds(map_of("none.png")));
     CHECK(made.notes == Notes{folder.name("a.3ds") + ": a picture is not drawn: " + folder.name("none.png") +
@@ -140,7 +140,7 @@ TEST_CASE("3ds: every changed byte of a file with a picture loads or is refused"
     CHECK(refused > 100);
 }
 
-TEST_CASE("obj, gltf, dae and 3ds show the corners of a picture at the same places") {
+TEST_CASE("obj, glTF, dae and 3ds show the corners of a picture at the same places") {
     const Folder folder;
     folder.write("p.png", four_texels());
     folder.write("a.mtl", "newmtl a\nmap_Kd p.png\n");

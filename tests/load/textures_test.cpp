@@ -196,7 +196,7 @@ TEST_CASE("obj: map_Kd multiplies the colour, and v increases upwards") {
               .colour == glm::dvec3(1));
 }
 
-TEST_CASE("obj: the options of map_Kd, and names with blanks") {
+TEST_CASE("obj: the options of map_Kd and names with blanks are read") {
     const Folder folder;
     const LoadedScene made = obj(folder, "map_Kd -s 2 4 1 -o 0.25 0.5 -clamp on -bm 1 -blendu off p.png\n");
     // s = 2 u + 0.25, t = 1 - (4 v + 0.5)
@@ -267,7 +267,7 @@ TEST_CASE("obj: coordinates that cannot be drawn are refused where a picture nee
     CHECK(obj_complaint(face("vt 0 0\nvt nan 0\nvt 0 1\n"), "map_Kd none.png\n").empty());
 }
 
-TEST_CASE("gltf: the base colour's texture is drawn with its coordinates and sampler") {
+TEST_CASE("glTF: the base colour's texture is drawn with its coordinates and sampler") {
     Json document = triangle_gltf();
     LoadedScene made = gltf(document);
     CHECK(made.notes.empty());
@@ -289,7 +289,7 @@ TEST_CASE("gltf: the base colour's texture is drawn with its coordinates and sam
     CHECK_THROWS_WITH(gltf(document), Contains("samplers[0].wrapS") && Contains("33648"));
 }
 
-TEST_CASE("gltf: KHR_texture_transform scales, turns and moves") {
+TEST_CASE("glTF: KHR_texture_transform scales, turns and moves") {
     Json document = triangle_gltf();
     Json& transform = base_texture(document)["extensions"]["KHR_texture_transform"];
     // The example of the extension: the lower left quarter of the picture, turned by a quarter.
@@ -305,7 +305,7 @@ TEST_CASE("gltf: KHR_texture_transform scales, turns and moves") {
     CHECK_THROWS_WITH(gltf(document), Contains("offset") && Contains("2 numbers"));
 }
 
-TEST_CASE("gltf: wrong coordinates are refused, and missing ones give the average colour") {
+TEST_CASE("glTF: wrong coordinates are refused, and missing ones give the average colour") {
     Json document = triangle_gltf();
     document["accessors"][1]["count"] = 2;
     CHECK_THROWS_WITH(gltf(document), Contains("TEXCOORD_0 has 2 texture coordinates for 3 vertices"));
@@ -324,7 +324,7 @@ TEST_CASE("gltf: wrong coordinates are refused, and missing ones give the averag
     CHECK(glm::length(made.material().colour - glm::dvec3(0.5, 0.5, 0.25)) < 1e-12);
 }
 
-TEST_CASE("gltf: --no-textures draws the average colour with the old message") {
+TEST_CASE("glTF: --no-textures draws the average colour with the old message") {
     const LoadedScene made = gltf(triangle_gltf(), Textures::averaged);
     CHECK(made.scene.textures.empty());
     CHECK(made.scene.coordinates.empty());
@@ -334,7 +334,7 @@ TEST_CASE("gltf: --no-textures draws the average colour with the old message") {
                Contains("1 material with a texture of its colour, drawn in the texture's average colour"));
 }
 
-TEST_CASE("gltf: instances share the coordinates of their mesh") {
+TEST_CASE("glTF: instances share the coordinates of their mesh") {
     Json document = triangle_gltf();
     document["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}, {"scale", {-1, 1, 1}}}};
     const LoadedScene made = gltf(document);
@@ -345,7 +345,7 @@ TEST_CASE("gltf: instances share the coordinates of their mesh") {
     check_near(made.scene.coordinates[1], {{{0, 0}, {0, 1}, {1, 0}}});
 }
 
-TEST_CASE("json: a material's texture, in short and with all keys") {
+TEST_CASE("json: a material's texture is read in short and with all keys") {
     LoadedScene made = json(inline_json());
     CHECK(made.notes.empty());
     CHECK(made.material().colour == glm::dvec3(1, 0.5, 1));

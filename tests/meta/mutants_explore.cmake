@@ -2,13 +2,13 @@
 # explains a row.
 
 # ---- fit: intervals that are too small, and a search that stops early.
-mutant(fit_box_far_with_r QUICK FILE sim/explore/fit/ranges_box.cpp TEST unit "box's intervals*"
+mutant(fit_box_far_with_r QUICK FILE sim/explore/fit/ranges_box.cpp TEST sweep "box's intervals*"
   OLD [[const Interval up = ray.len == 0 ? ray.recip : ray.recip + point(1);]]
   NEW [[const Interval up = ray.recip;]])
-mutant(fit_hit_distance_short FILE sim/explore/fit/ranges_tri.cpp TEST unit "every value that the rays*"
+mutant(fit_hit_distance_short FILE sim/explore/fit/ranges_tri.cpp TEST sweep "every value that the rays*"
   OLD [[(c.dir_bits - 1 + c.t_frac_bits)) + least - 1) / least}]]
   NEW [[(c.dir_bits - 2 + c.t_frac_bits)) + least - 1) / least}]])
-mutant(fit_forgets_depth FILE sim/explore/fit/search.cpp TEST unit "what fit finds*"
+mutant(fit_forgets_depth FILE sim/explore/fit/search.cpp TEST sweep "what fit finds*"
   OLD [[2 * (config.dir_bits - 1 + config.t_frac_bits))]]
   NEW [[2 * (config.dir_bits + config.t_frac_bits))]])
 

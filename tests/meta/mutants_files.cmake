@@ -36,7 +36,7 @@ mutant(load_cut_jpeg_is_drawn FILE sim/files/image/codec.cpp TEST load "pictures
   NEW [[is_cut_jpeg({})]])
 
 # ---- Input that is damaged or cut off.
-mutant(files_gzip_cut_off_is_taken FILE sim/load/gunzip.cpp TEST load "gzip: damaged*"
+mutant(files_gzip_cut_off_is_taken FILE sim/load/gunzip.cpp TEST load "gzip: data that are damaged*"
   OLD [[            is_open = false;]]
   NEW [[            return out;]])
 mutant(files_off_index_one_beyond FILE sim/load/mesh/read_off.cpp TEST load "off: what makes*"
@@ -51,7 +51,7 @@ mutant(load_used_faults_are_drawn FILE sim/load/mesh/indexed.cpp TEST load "ply:
 mutant(load_degenerate_not_counted FILE sim/load/place.cpp TEST load "what a file holds*"
   OLD [[++dropped_;]]
   NEW [[]])
-mutant(files_memory_time_is_rounded FILE sim/run/memory/memory_file.cpp TEST unit "a memory that is written*"
+mutant(files_memory_time_is_rounded FILE sim/run/memory/memory_file.cpp TEST load "a memory that is written*"
   OLD [[const double ps = std::round(ns * 1000);]]
   NEW [[const double ps = std::round(ns * 100) * 10;]])
 
@@ -100,6 +100,6 @@ mutant(input_is_read_from_an_output FILE sim/files/input_registry.cpp TEST cli "
 mutant(published_files_stay_announced FILE sim/files/folder.cpp TEST load "a published file*"
   OLD [[forget_output(path);]]
   NEW [[]])
-mutant(load_camera_on_its_head_is_turned FILE sim/load/gltf/material.cpp TEST load "gltf: a camera*"
+mutant(load_camera_on_its_head_is_turned FILE sim/load/gltf/material.cpp TEST load "glTF: a camera*"
   OLD [[is_upright = up.y >= least_height * glm::length(up);]]
   NEW [[is_upright = true;]])

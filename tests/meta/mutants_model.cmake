@@ -56,14 +56,16 @@ mutant(model_child_box_low_planes_inward FILE model/engine/bvh/encode.cpp TEST c
   NEW [[ceil_shift(std::uint32_t(children[i].box.lo[k] - node.org[k]), node.exp[k]);]])
 
 # ---- Traversal and lists.
-mutant(model_trav_stop_keeps_the_stack QUICK FILE model/unit/trav/stack.hpp WITH tests/unit/trav_test.cpp
+mutant(model_trav_stop_keeps_the_stack QUICK FILE model/unit/trav/stack.hpp
+  WITH tests/unit/trav/trav_test.cpp
   TEST unit [trav][shading]
   OLD [[        if (stop) {
             height_ = 0;
             return {};]]
   NEW [[        if (stop) {
             return {};]])
-mutant(model_trav_equal_does_not_matter FILE model/unit/trav/stack.hpp WITH tests/unit/trav_test.cpp TEST unit
+mutant(model_trav_equal_does_not_matter FILE model/unit/trav/stack.hpp
+  WITH tests/unit/trav/trav_test.cpp TEST unit
   [trav]
   OLD [[if (!(t_best < top.nearest())) {]]
   NEW [[if (top.nearest() < t_best) {]])
@@ -160,26 +162,30 @@ mutant(dram_hit_across_rows FILE model/mem/dram.cpp TEST unit [dram]
 mutant(dram_starves FILE model/mem/dram.cpp TEST unit [dram]
   OLD [[if (e.overtaken >= part_.age_cap) break;]]
   NEW [[if (e.overtaken > part_.age_cap) break;]])
-mutant(screen_is_slept_through FILE model/mem/frame_buffer.hpp WITH tests/unit/frame_buffer_test.cpp
+mutant(screen_is_slept_through FILE model/mem/frame_buffer.hpp WITH tests/unit/mem/frame_buffer_test.cpp
   model/mem/memory.cpp model/mem/frame_buffer.cpp TEST unit [picture]
   OLD [[(khz_ - phase_ - 1) / words_per_ms]]
   NEW [[(khz_ - phase_ - 1) / words_per_ms + 2]])
 
 # ---- The machine in time: queues, arbiter, skipped cycles, recorded rays.
-mutant(model_ring_without_a_spare_place FILE model/core/ring.hpp WITH tests/unit/ring_test.cpp TEST unit
+mutant(model_ring_without_a_spare_place FILE model/core/ring.hpp
+  WITH tests/unit/core/ring_test.cpp TEST unit
   [fifo]
   OLD [[items_.resize(std::size_t(1) << index_bits(capacity + 1))]]
   NEW [[items_.resize(std::size_t(1) << index_bits(capacity))]])
-mutant(model_arbiter_changes_its_mind FILE model/mem/arbiter.hpp WITH tests/unit/arbiter_test.cpp TEST unit
+mutant(model_arbiter_changes_its_mind FILE model/mem/arbiter.hpp
+  WITH tests/unit/mem/arbiter_test.cpp TEST unit
   [arbiter]
   OLD [[if (held_) return chosen_;]]
   NEW [[if (held_ && valid == 0) return chosen_;]])
-mutant(model_sched_keeps_the_last_frames_pixel FILE model/unit/sched/sched.hpp WITH tests/unit/sched_test.cpp
+mutant(model_sched_keeps_the_last_frames_pixel FILE model/unit/sched/sched.hpp
+  WITH tests/unit/sched/sched_test.cpp
   TEST unit [sched]
   OLD [[        count_ = frame.ray_count;
         select_pixel();]]
   NEW [[        count_ = frame.ray_count;]])
-mutant(model_shade_looks_at_an_answer_at_once FILE model/unit/shade/unit.hpp WITH tests/unit/shade_test.cpp
+mutant(model_shade_looks_at_an_answer_at_once FILE model/unit/shade/unit.hpp
+  WITH tests/unit/shade/shade_test.cpp
   TEST unit [shade][interval]
   OLD [[i < closest_delay_; ++i)]]
   NEW [[i < closest_delay_ && !(i == 0 && closest.valid); ++i)]])

@@ -133,11 +133,11 @@ mutant(door_one_credit_more QUICK FILE rtl/cells/rc_credit_counter.sv TEST unit 
 
 # ---- Counters and the registers of the host.
 mutant(tally_of_box_blames_trav QUICK FILE rtl/unit/trav/rc_node_test.sv TEST unit
-  "model and rtl of the machine count the same"
+  "model and RTL of the machine count the same"
   OLD [[cause_o = node_waits_i ?]]
   NEW [[cause_o = !node_waits_i ?]])
 mutant(tally_is_not_cleared FILE rtl/cells/rc_cause_counters.sv TEST unit
-  "model and rtl of the machine count the same"
+  "model and RTL of the machine count the same"
   OLD [[if (counts_q || clear_i)]]
   NEW [[if (counts_q || (clear_i && counts_q))]])
 mutant(host_starts_while_busy QUICK FILE rtl/host/rc_host.sv TEST unit [host]

@@ -61,7 +61,7 @@ mutant(tex_model_tile_row_shifted FILE ${tex_model} TEST unit ${tex_model_case}
 mutant(tex_model_address_does_not_wrap FILE ${tex_model} TEST unit ${tex_model_case}
   OLD [[((1u << config.addr_bits) - 1)]]
   NEW [[~0u]])
-mutant(tex_model_overtakes_an_offer FILE model/unit/tex/unit.hpp WITH tests/unit/tex_test.cpp TEST unit
+mutant(tex_model_overtakes_an_offer FILE model/unit/tex/unit.hpp WITH tests/unit/tex/tex_test.cpp TEST unit
   ${tex_model_case}
   OLD [[return !link_.second(!texels_.empty());]]
   NEW [[return !texels_.empty();]])
@@ -162,7 +162,7 @@ mutant(tex_model_cutout_with_the_scale_of_the_surface FILE model/unit/shade/shad
 mutant(tex_model_path_of_0_has_a_level FILE ${tex_model} TEST unit [tex][level]
   OLD [[if (hit.path == 0) return 0;]]
   NEW [[;]])
-mutant(tex_model_cutouts_do_not_stop FILE model/unit/list/ray_tests.hpp WITH tests/unit/list_test.cpp
+mutant(tex_model_cutouts_do_not_stop FILE model/unit/list/ray_tests.hpp WITH tests/unit/list/list_test.cpp
   TEST unit [list][hole]
   OLD [[return any_ && best_.found; }]]
   NEW [[return any_ && best_.found && !found_.cutout; }]])
@@ -377,7 +377,7 @@ mutant(tex_hit_of_the_request_before FILE ${tex_unit} TEST unit ${tex_rtl_case}
   NEW [[.write_i(req_fires), .write_addr_i(req_i.ray ^ RayBits'(1)),]])
 
 # ---- The RTL of shade.
-set(shade_rtl_case "the rtl's pass is the model's with textures")
+set(shade_rtl_case "the RTL's pass is the model's with textures")
 mutant(tex_path_second_and_smallest_swapped FILE rtl/unit/shade/rc_path_length.sv TEST unit [pass][path]
   OLD [[{5'b0, second[M-1:3]}]]
   NEW [[{5'b0, shortest[M-1:3]}]])
@@ -408,7 +408,7 @@ mutant(tex_texture_not_multiplied FILE rtl/unit/shade/rc_ambient.sv TEST unit ${
 
 # ---- Light through holes in the RTL.
 set(light_list [list][hole])
-set(light_pass "the rtl's pass is the model's with textures")
+set(light_pass "the RTL's pass is the model's with textures")
 mutant(tex_list_passes_not_counted QUICK FILE rtl/unit/list/rc_list.sv TEST unit ${light_list}
   OLD [[.write_data_i(passed + HoleBits'(1)),]]
   NEW [[.write_data_i(passed),]])
@@ -445,7 +445,7 @@ mutant(tex_pass_cutout_at_level_0 FILE rtl/unit/shade/rc_pass_end.sv TEST unit $
   OLD [[request.path   = surf_i]]
   NEW [[request.path   = cutout_i ? '0 : surf_i]])
 mutant(tex_pass_cutout_with_the_scale_of_the_pass_before FILE rtl/unit/shade/rc_pass.sv TEST unit
-  "the rtl's pass is the model's with textures and instances*"
+  "the RTL's pass is the model's with textures and instances*"
   OLD [[.enter_i(s0_transform || s0_cutout),]]
   NEW [[.enter_i(s0_transform),]])
 mutant(tex_pass_cutout_handles_its_event FILE rtl/unit/shade/rc_pass_end.sv TEST unit ${light_pass}
@@ -488,7 +488,7 @@ mutant(tex_hole_in_the_direction_of_a_bounce FILE rtl/unit/shade/rc_pass.sv TEST
   OLD [[: texture_q[15] ? RayDirBits'(]]
   NEW [[: texture_q[15] && 1'b0 ? RayDirBits'(]])
 mutant(tex_hole_of_another_hit FILE rtl/unit/shade/rc_pass.sv TEST unit
-  "the rtl's pass is the model's with textures and instances*"
+  "the RTL's pass is the model's with textures and instances*"
   OLD [[.enter_i(s0_texture), .leave_i(texture_at[Out]),
       .data_i(texel[3*ColourBits])]]
   NEW [[.enter_i(s0_texture), .leave_i(tone_at[Out]),
@@ -497,7 +497,7 @@ mutant(tex_pixel_keeps_the_hit_behind_a_hole FILE rtl/unit/shade/rc_pass_begin.s
   OLD [[assign first = state_i.holes == '0;]]
   NEW [[assign first = 1'b1;]])
 mutant(tex_request_without_scale FILE ${pass_end} TEST unit
-  "the rtl's pass is the model's with textures and instances*"
+  "the RTL's pass is the model's with textures and instances*"
   OLD [[assign request.scale = scale_i;]]
   NEW [[assign request.scale = scale_i >> 1;]])
 mutant(tex_scale_of_the_instance_lost FILE rtl/unit/shade/rc_shade.sv TEST system

@@ -26,8 +26,9 @@ const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n",
 
 }   // namespace
 
-TEST_CASE("keyed shapes: every corner moves straight from key to key, and stays still before and after them",
-          "[motion][deform]") {
+TEST_CASE(
+    "every corner of a keyed shape moves straight from key to key, and stays still before and after them",
+    "[motion][deform]") {
     const Folder folder;
     folder.write("a.obj", square);
     folder.write("b.obj", lifted);
@@ -51,7 +52,7 @@ TEST_CASE("keyed shapes: every corner moves straight from key to key, and stays 
     }
 }
 
-TEST_CASE("keyed shapes: normals go from key to key, and facets have their own in every frame",
+TEST_CASE("normals of a keyed shape go from key to key, and facets have their own in every frame",
           "[motion][deform]") {
     const Folder folder;
     const std::string faces = "f 1//1 2//1 3//1 4//2\n";

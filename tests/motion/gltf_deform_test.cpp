@@ -148,7 +148,7 @@ TEST_CASE("a file with a skin deforms where it is placed, in every place alike",
     }
 }
 
-TEST_CASE("glTF: sparse morph targets, as exporters write them", "[motion][deform]") {
+TEST_CASE("glTF: sparse morph targets are read as exporters write them", "[motion][deform]") {
     Sparse file;
     file.check(file.load().meshes.at(0), 0.5, 0);
     // The same on top of data in a buffer.

@@ -16,7 +16,7 @@ std::string sentence(std::string_view spec) {
 
 }   // namespace
 
-TEST_CASE("Names are listed once, with purposes", "[scene][builtin]") {
+TEST_CASE("names are listed once, with purposes", "[scene][builtin]") {
     std::set<std::string_view> names;
     for (const Builtin& b : builtins()) {
         CHECK(names.insert(b.name).second);
@@ -29,7 +29,7 @@ TEST_CASE("Names are listed once, with purposes", "[scene][builtin]") {
                        "spheres", "square", "teapot",    "tetra",   "tree",  "wknd"});
 }
 
-TEST_CASE("A name alone has its default size", "[scene][builtin]") {
+TEST_CASE("a name alone has its default size", "[scene][builtin]") {
     CHECK(make_builtin("gears").triangles.size() == 36610);
     CHECK(make_builtin("gears").name == "gears:4");
     CHECK(make_builtin("gears:1").triangles.size() == 574);
@@ -51,7 +51,7 @@ TEST_CASE("is_builtin looks at the name only", "[scene][builtin]") {
         CHECK_FALSE(is_builtin(no));
 }
 
-TEST_CASE("An unknown name gets the nearest known one", "[scene][builtin]") {
+TEST_CASE("an unknown name gets the nearest known one", "[scene][builtin]") {
     CHECK(sentence("gaers") ==
           "no built-in scene is called 'gaers'; did you mean 'gears'? (`rayclock scenes` lists them)");
     CHECK(sentence("teapots:4") ==
@@ -65,7 +65,7 @@ TEST_CASE("An unknown name gets the nearest known one", "[scene][builtin]") {
     CHECK_FALSE(sentence(":4").empty());
 }
 
-TEST_CASE("A bad size gets the allowed range", "[scene][builtin]") {
+TEST_CASE("a bad size gets the allowed range", "[scene][builtin]") {
     for (const std::string size :
          {"", "0", "-1", "x", "999", "26", "3.5", "+4", " 4", "4 ", "4x", "0x4", "1e1", "4:4", "2147483648",
           "99999999999999999999999", "-99999999999999999999999"})

@@ -61,7 +61,7 @@ double reach(const Scene& scene, const Camera& camera, FrameSize size) {
 
 }   // namespace
 
-TEST_CASE("The pixel nearest to the middle looks along the view axis", "[scene][camera]") {
+TEST_CASE("the pixel nearest to the middle looks along the view axis", "[scene][camera]") {
     const Camera camera{{1, 2, 3}, {4, -5, 6}, {0.2, 1, 0.1}, 50};
     const PixelRays rays = pixel_rays(camera, {7, 5});
     CHECK(rays.eye == camera.eye);
@@ -72,7 +72,7 @@ TEST_CASE("The pixel nearest to the middle looks along the view axis", "[scene][
             CHECK(glm::dot(rays.direction(x, y), forward) == Approx(1).epsilon(1e-14));
 }
 
-TEST_CASE("Pixel centres follow the formula, row 0 on top", "[scene][camera]") {
+TEST_CASE("pixel centres follow the formula, row 0 on top", "[scene][camera]") {
     // Looking along -z with y up: pixel (x, y) of a W x H picture has the direction ((2x+1)/W - 1) aspect h,
     // (1 - (2y+1)/H) h, -1.
     const PixelRays rays = pixel_rays({{0, 0, 5}, {0, 0, 0}, {0, 3, 1}, 60}, {8, 4});
@@ -86,7 +86,7 @@ TEST_CASE("Pixel centres follow the formula, row 0 on top", "[scene][camera]") {
     CHECK(rays.direction(0, 0).x < 0);
 }
 
-TEST_CASE("The edges of the picture span the camera's angle", "[scene][camera]") {
+TEST_CASE("the edges of the picture span the camera's angle", "[scene][camera]") {
     const double fov = GENERATE(0.5, 45.0, 90.0, 179.0);
     const auto size = GENERATE(FrameSize{512, 384}, FrameSize{1, 1}, FrameSize{3, 16384});
     CAPTURE(fov, size.width, size.height);
@@ -103,14 +103,14 @@ TEST_CASE("The edges of the picture span the camera's angle", "[scene][camera]")
           Approx(2 * std::atan(std::hypot(u, v))).epsilon(1e-6).margin(1e-7));
 }
 
-TEST_CASE("Sizes that a double can hold do not overflow on the way", "[scene][camera]") {
+TEST_CASE("sizes that a double can hold do not overflow on the way", "[scene][camera]") {
     const PixelRays huge = pixel_rays({{0, 0, 1e300}, {0, 0, -1e300}, {0, 1e-300, 0}, 45}, {2, 2});
     CHECK(glm::length(huge.direction(0.5, 0.5) - glm::dvec3(0, 0, -1)) < 1e-15);
     const PixelRays tiny = pixel_rays({{0, 0, 1e-310}, {0, 0, 0}, {0, 1e300, 0}, 45}, {2, 2});
     CHECK(glm::length(tiny.direction(0.5, 0.5) - glm::dvec3(0, 0, -1)) < 1e-15);
 }
 
-TEST_CASE("Cameras that look nowhere are refused", "[scene][camera]") {
+TEST_CASE("cameras that look nowhere are refused", "[scene][camera]") {
     const Camera good{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 45};
     const auto sentence = [](const Camera& camera) { return refusal([&] { pixel_rays(camera, {4, 4}); }); };
     const auto with = [&](auto change) {
@@ -143,7 +143,7 @@ TEST_CASE("Cameras that look nowhere are refused", "[scene][camera]") {
           "camera: the camera's eye (1e+308, 0, 5) is too far from (-1e+308, 0, 0)");
 }
 
-TEST_CASE("Picture sizes are 1 to 16384", "[scene][camera]") {
+TEST_CASE("picture sizes are 1 to 16384", "[scene][camera]") {
     for (const FrameSize good : {FrameSize{1, 1}, {16384, 16384}, {1, 16384}})
         CHECK_NOTHROW(check_frame_size(good));
     for (const FrameSize bad :
@@ -155,7 +155,7 @@ TEST_CASE("Picture sizes are 1 to 16384", "[scene][camera]") {
     }
 }
 
-TEST_CASE("A fitted camera sees the whole scene and little more", "[scene][camera]") {
+TEST_CASE("a fitted camera sees the whole scene and little more", "[scene][camera]") {
     const auto size =
         GENERATE(FrameSize{400, 400}, FrameSize{1600, 100}, FrameSize{100, 1600}, FrameSize{512, 384});
     const auto spec =
@@ -175,7 +175,7 @@ TEST_CASE("A fitted camera sees the whole scene and little more", "[scene][camer
     CHECK(r > (size.width > 10 * size.height ? 0.9 : 0.95));
 }
 
-TEST_CASE("A fitted camera sees flat, thin, tiny, huge and point-like meshes", "[scene][camera]") {
+TEST_CASE("a fitted camera sees flat, thin, tiny, huge and point-like meshes", "[scene][camera]") {
     const glm::dvec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1),
         towards = glm::normalize(glm::dvec3(0.6, 0.5, 1));
     const auto scale = GENERATE(1.0, 1e-100, 1e-300, 1e100, 1e300);
@@ -196,7 +196,7 @@ TEST_CASE("A fitted camera sees flat, thin, tiny, huge and point-like meshes", "
     }
 }
 
-TEST_CASE("Vertices that no triangle uses do not move the fitted camera", "[scene][camera]") {
+TEST_CASE("vertices that no triangle uses do not move the fitted camera", "[scene][camera]") {
     Scene scene = one_triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     const Camera before = fit_camera(scene, 1);
     scene.vertices.emplace_back(1000, 0, 0);
@@ -204,7 +204,7 @@ TEST_CASE("Vertices that no triangle uses do not move the fitted camera", "[scen
     CHECK(bounds(scene).hi == glm::dvec3(1, 1, 0));
 }
 
-TEST_CASE("Scenes and aspects that no camera can fit are refused", "[scene][camera]") {
+TEST_CASE("scenes and aspects that no camera can fit are refused", "[scene][camera]") {
     const Scene huge = one_triangle({-8e307, 0, 0}, {8e307, 0, 0}, {0, 8e307, 0});
     CHECK_NOTHROW(check_scene(huge, "huge"));
     CHECK(refusal([&] { fit_camera(huge, 1); }) ==
@@ -216,7 +216,7 @@ TEST_CASE("Scenes and aspects that no camera can fit are refused", "[scene][came
     CHECK(refusal([&] { fit_camera(scene, infinite); }) == "a picture cannot have the aspect inf");
 }
 
-TEST_CASE("The camera of every built-in scene sees something in the middle of it", "[scene][camera]") {
+TEST_CASE("the camera of every built-in scene sees something in the middle of it", "[scene][camera]") {
     for (const Builtin& b : builtins()) {
         CAPTURE(b.name);
         const Scene scene = b.make(1);

@@ -32,7 +32,7 @@ template <class Change> std::string sentence(const Change& change) {
 
 }   // namespace
 
-TEST_CASE("A sound scene passes, degenerate triangles and all", "[scene][check]") {
+TEST_CASE("a sound scene passes, degenerate triangles and all", "[scene][check]") {
     CHECK(sentence([](Scene&) {}).empty());
     CHECK(sentence([](Scene& s) { s.triangles[0].vertex = {1, 1, 1}; }).empty());
     CHECK(sentence([](Scene& s) { s.lights.clear(); }).empty());
@@ -43,7 +43,7 @@ TEST_CASE("A sound scene passes, degenerate triangles and all", "[scene][check]"
           }).empty());
 }
 
-TEST_CASE("Missing parts and wrong indices are named", "[scene][check]") {
+TEST_CASE("missing parts and wrong indices are named", "[scene][check]") {
     CHECK(sentence([](Scene& s) { s.triangles.clear(); }) ==
           "bunny.obj: there is nothing to see: no triangle, no sphere, no plane");
     CHECK(sentence([](Scene& s) { s.materials.clear(); }) == "bunny.obj: there are no materials");
@@ -58,7 +58,7 @@ TEST_CASE("Missing parts and wrong indices are named", "[scene][check]") {
           "bunny.obj: there is nothing to see: no triangle, no sphere, no plane");
 }
 
-TEST_CASE("Every number must be finite", "[scene][check]") {
+TEST_CASE("every number must be finite", "[scene][check]") {
     CHECK(sentence([](Scene& s) { s.vertices[2].y = not_a_number; }) ==
           "bunny.obj: vertex 2 (counted from 0) is (0, nan, 0), not a finite point");
     CHECK(sentence([](Scene& s) { s.vertices[0].x = -infinite; }) ==
@@ -81,13 +81,13 @@ TEST_CASE("Every number must be finite", "[scene][check]") {
           "bunny.obj: material 1 'brass' has a value that is not a finite number");
 }
 
-TEST_CASE("An extent beyond a double is refused", "[scene][check]") {
+TEST_CASE("an extent beyond a double is refused", "[scene][check]") {
     CHECK(sentence([](Scene& s) { s.vertices[0].x = 1e308, s.vertices[1].x = -1e308; }) ==
           "bunny.obj: the scene reaches from (-1e+308, 0, 0) to (1e+308, 1, 1), further than a double can "
           "tell");
 }
 
-TEST_CASE("The scene's camera is checked", "[scene][check]") {
+TEST_CASE("the scene's camera is checked", "[scene][check]") {
     CHECK(sentence([](Scene& s) {
               s.camera = Camera{{1, 2, 3}, {1, 2, 3}, {0, 1, 0}, 45};
           }) == "bunny.obj: the camera's eye and the point it looks at are the same, (1, 2, 3)");
@@ -96,7 +96,7 @@ TEST_CASE("The scene's camera is checked", "[scene][check]") {
           }) == "bunny.obj: the camera's angle must lie between 0 and 180 degrees, not nan");
 }
 
-TEST_CASE("Bounds cover used vertices only", "[scene][check]") {
+TEST_CASE("bounds cover used vertices only", "[scene][check]") {
     Scene scene = good_scene();
     scene.triangles.pop_back();
     const Bounds box = bounds(scene);
@@ -108,7 +108,7 @@ TEST_CASE("Bounds cover used vertices only", "[scene][check]") {
           "empty: there is nothing to see: no triangle, no sphere, no plane");
 }
 
-TEST_CASE("Spheres and planes are scenes of their own", "[scene][check]") {
+TEST_CASE("spheres and planes are scenes of their own", "[scene][check]") {
     const auto only = [](const auto& change) {
         return sentence([&](Scene& s) {
             s.triangles.clear();
@@ -132,7 +132,7 @@ TEST_CASE("Spheres and planes are scenes of their own", "[scene][check]") {
           }).empty());
 }
 
-TEST_CASE("A sphere has a centre, a radius and a material", "[scene][check]") {
+TEST_CASE("a sphere has a centre, a radius and a material", "[scene][check]") {
     const auto with = [](const Sphere& sphere) {
         return sentence([&](Scene& s) { s.spheres = {{}, sphere}; });
     };
@@ -146,7 +146,7 @@ TEST_CASE("A sphere has a centre, a radius and a material", "[scene][check]") {
     CHECK(with({{0, 0, 0}, 1, 2}) == "bunny.obj: sphere 1 uses material 2 (counted from 0), and there are 2");
 }
 
-TEST_CASE("A plane has a point, two sides that part, and a material", "[scene][check]") {
+TEST_CASE("a plane has a point, two sides that part, and a material", "[scene][check]") {
     const auto with = [](const Plane& plane) { return sentence([&](Scene& s) { s.planes = {plane}; }); };
     CHECK(with({{0, 0, 0}, {1e-30, 0, 0}, {0, 1e30, 0}, 0}).empty());
     CHECK(with({{not_a_number, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0}) ==
@@ -161,7 +161,7 @@ TEST_CASE("A plane has a point, two sides that part, and a material", "[scene][c
           "bunny.obj: plane 0 uses material 7 (counted from 0), and there are 2");
 }
 
-TEST_CASE("Weights and colours have their ranges", "[scene][check]") {
+TEST_CASE("weights and colours have their ranges", "[scene][check]") {
     for (const auto& [name, member] : {std::pair("ambient", &Material::ambient),
                                        {"diffuse", &Material::diffuse},
                                        {"highlight", &Material::highlight},
@@ -188,7 +188,7 @@ TEST_CASE("Weights and colours have their ranges", "[scene][check]") {
           "bunny.obj: the background (0.078, 0.361, 2) is not a colour: three numbers within 0 and 1");
 }
 
-TEST_CASE("What transmits has a refractive index", "[scene][check]") {
+TEST_CASE("what transmits has a refractive index", "[scene][check]") {
     const auto with = [](double transmit, double index) {
         return sentence([&](Scene& s) { s.materials[1].transmit = transmit, s.materials[1].index = index; });
     };
@@ -200,7 +200,7 @@ TEST_CASE("What transmits has a refractive index", "[scene][check]") {
           "bunny.obj: material 1 'brass' has the refractive index -1.5, which must be above 0");
 }
 
-TEST_CASE("There are at most 64 lights, each at most 16 strong", "[scene][check]") {
+TEST_CASE("there are at most 64 lights, each at most 16 strong", "[scene][check]") {
     CHECK(sentence([](Scene& s) { s.lights.assign(64, {}); }).empty());
     CHECK(sentence([](Scene& s) { s.lights.assign(1'000'000, {}); }) ==
           "bunny.obj: there are 1000000 lights; the most is 64");
@@ -211,7 +211,7 @@ TEST_CASE("There are at most 64 lights, each at most 16 strong", "[scene][check]
           "bunny.obj: light 0 (counted from 0) has the colour (1, -1, 1), which must lie within 0 and 16");
 }
 
-TEST_CASE("Bounds cover spheres; of planes alone, ten squares each way", "[scene][check]") {
+TEST_CASE("bounds cover spheres; of planes alone, ten squares each way", "[scene][check]") {
     Scene scene = good_scene();
     scene.spheres.push_back({{5, 0, 0}, 2, 0});
     scene.planes.push_back({{100, 100, 100}, {1, 0, 0}, {0, 0, -1}, 0});

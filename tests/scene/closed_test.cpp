@@ -10,7 +10,7 @@
 
 using namespace rayclock;
 
-TEST_CASE("The icosphere is closed, shared, round and turned outward", "[scene][closed]") {
+TEST_CASE("the icosphere is closed, shared, round and turned outward", "[scene][closed]") {
     const int size = GENERATE(1, 2, 4);
     const Scene scene = make_builtin("icosphere:" + std::to_string(size));
     CHECK(open_edges(scene, whole(scene)) == 0);
@@ -23,7 +23,7 @@ TEST_CASE("The icosphere is closed, shared, round and turned outward", "[scene][
     CHECK(scene.normals == scene.vertices);
 }
 
-TEST_CASE("A tessellated sphere is closed and turned outward", "[scene][closed]") {
+TEST_CASE("a tessellated sphere is closed and turned outward", "[scene][closed]") {
     const Scene scene = make_builtin("balls:1");
     for (std::size_t ball = 0; ball < 10; ++ball) {
         const Range range{2 + 108 * ball, 2 + 108 * (ball + 1)};
@@ -36,7 +36,7 @@ TEST_CASE("A tessellated sphere is closed and turned outward", "[scene][closed]"
     }
 }
 
-TEST_CASE("Every gear is closed and turned outward", "[scene][closed]") {
+TEST_CASE("every gear is closed and turned outward", "[scene][closed]") {
     const Scene scene = make_builtin("gears:2");
     for (std::size_t gear = 0; gear < 8; ++gear) {
         CAPTURE(gear);
@@ -50,7 +50,7 @@ TEST_CASE("Every gear is closed and turned outward", "[scene][closed]") {
     }
 }
 
-TEST_CASE("A gear's face is cut along valid and well-shaped diagonals", "[scene][closed]") {
+TEST_CASE("a gear's face is cut along valid and well-shaped diagonals", "[scene][closed]") {
     const Scene scene = make_builtin("gears:1");
     // Top and bottom: all triangles are counter-clockwise, so areas that sum to the outline's do not overlap.
     for (const Range range : {Range{2, 2 + 142}, Range{2 + 142 + 288, 2 + 572}}) {
@@ -73,7 +73,7 @@ TEST_CASE("A gear's face is cut along valid and well-shaped diagonals", "[scene]
     }
 }
 
-TEST_CASE("Little tetrahedra of tetra are closed and turned outward", "[scene][closed]") {
+TEST_CASE("little tetrahedra of tetra are closed and turned outward", "[scene][closed]") {
     const Scene scene = make_builtin("tetra:3");
     for (std::size_t i = 0; i < 16; ++i) {
         CHECK(open_edges(scene, {4 * i, 4 * i + 4}) == 0);
@@ -81,12 +81,12 @@ TEST_CASE("Little tetrahedra of tetra are closed and turned outward", "[scene][c
     }
 }
 
-TEST_CASE("The terrain is open at its border only", "[scene][closed]") {
+TEST_CASE("the terrain is open at its border only", "[scene][closed]") {
     const Scene scene = make_builtin("mount:4");
     CHECK(open_edges(scene, {4 * 108, scene.triangles.size()}) == 4 * 16);
 }
 
-TEST_CASE("The teapot's body, bottom and lid are seamless across patches", "[scene][closed]") {
+TEST_CASE("the teapot's body, bottom and lid are seamless across patches", "[scene][closed]") {
     const int n = GENERATE(3, 7, 12);
     const auto cells = static_cast<std::size_t>(n * n), c = static_cast<std::size_t>(n);
     Scene scene = make_builtin("teapot:" + std::to_string(n));
@@ -105,7 +105,7 @@ TEST_CASE("The teapot's body, bottom and lid are seamless across patches", "[sce
     CHECK(open_edges(scene, {board, scene.triangles.size()}) == 4 * c);
 }
 
-TEST_CASE("The Cornell box is open towards the camera only", "[scene][closed]") {
+TEST_CASE("the Cornell box is open towards the camera only", "[scene][closed]") {
     const Scene scene = make_builtin("cornell");
     // Blocks stand on the floor without a bottom: four edges each. The room lacks its front: four edges.
     CHECK(open_edges(scene, whole(scene)) == 3 * 4);

@@ -26,7 +26,7 @@ template <class T> bool same_bits(const std::vector<T>& a, const std::vector<T>&
 
 }   // namespace
 
-TEST_CASE("Triangle counts are the published ones", "[scene][builtin]") {
+TEST_CASE("triangle counts are the published ones", "[scene][builtin]") {
     struct Case {
         const char* name;
         int size;
@@ -52,7 +52,7 @@ TEST_CASE("Triangle counts are the published ones", "[scene][builtin]") {
     CHECK(scene.triangles.capacity() <= scene.triangles.size() + 64);
 }
 
-TEST_CASE("The largest size is the largest below about ten million triangles", "[scene][builtin]") {
+TEST_CASE("the largest size is the largest below about ten million triangles", "[scene][builtin]") {
     for (const Builtin& b : builtins()) {
         CAPTURE(b.name);
         CHECK(b.triangles(b.max_size) <= 10'000'000);
@@ -63,7 +63,7 @@ TEST_CASE("The largest size is the largest below about ten million triangles", "
     }
 }
 
-TEST_CASE("Every scene is sound and the same each time", "[scene][builtin]") {
+TEST_CASE("every scene is sound and the same each time", "[scene][builtin]") {
     for (const Builtin& b : builtins())
         for (const int size : {1, std::min(2, b.max_size), std::min(b.default_size, 5)}) {
             CAPTURE(b.name, size);
@@ -77,7 +77,7 @@ TEST_CASE("Every scene is sound and the same each time", "[scene][builtin]") {
         }
 }
 
-TEST_CASE("Every vertex is used, no triangle is degenerate, normals are unit and on the outside",
+TEST_CASE("every vertex is used, no triangle is degenerate, normals are unit and on the outside",
           "[scene][builtin]") {
     for (const Builtin& b : builtins())
         for (const int size : {1, b.default_size}) {
@@ -104,7 +104,7 @@ TEST_CASE("Every vertex is used, no triangle is degenerate, normals are unit and
         }
 }
 
-TEST_CASE("Brightness stays between black and white", "[scene][builtin]") {
+TEST_CASE("brightness stays between black and white", "[scene][builtin]") {
     for (const Builtin& b : builtins()) {
         const Scene scene = b.make(1);
         const double lights = std::sqrt(static_cast<double>(scene.lights.size()));

@@ -49,7 +49,7 @@ void check_near(const glm::dvec3& p, const glm::dvec3& expected) {
 
 }   // namespace
 
-TEST_CASE("Native counts are the published ones", "[scene][native]") {
+TEST_CASE("native counts are the published ones", "[scene][native]") {
     struct Case {
         const char* name;
         int size;
@@ -85,7 +85,7 @@ TEST_CASE("Native counts are the published ones", "[scene][native]") {
     CHECK(scene.spheres.capacity() <= scene.spheres.size() + 64);
 }
 
-TEST_CASE("Cones and cylinders have as many sides as the name says", "[scene][native]") {
+TEST_CASE("cones and cylinders have as many sides as the name says", "[scene][native]") {
     CHECK(make_builtin("rings:1").vertices == make_builtin("rings:1:12").vertices);
     CHECK(make_builtin("tree:2").vertices == make_builtin("tree:2:12").vertices);
     CHECK(make_builtin("rings:1:40").triangles.size() == 30 * (108 + 80) + 2);
@@ -100,7 +100,7 @@ TEST_CASE("Cones and cylinders have as many sides as the name says", "[scene][na
     CHECK_THROWS_WITH(make_builtin("rings:19:1000"), Catch::Contains("20000000"));
 }
 
-TEST_CASE("Native spheres are where the reference generator puts them", "[scene][native]") {
+TEST_CASE("native spheres are where the reference generator puts them", "[scene][native]") {
     const Scene balls = native("balls:4");
     check_near(balls.spheres[1].centre, {0.2721655, 0.2721655, 0.5443311});
     CHECK(balls.spheres[1].radius == Approx(1.0 / 6).epsilon(1e-12));
@@ -125,7 +125,7 @@ TEST_CASE("Native spheres are where the reference generator puts them", "[scene]
     check_near(tree.spheres.back().centre, {-0.3069131, 0.5377147, 3.1362592});
 }
 
-TEST_CASE("The form changes the spheres only", "[scene][native]") {
+TEST_CASE("the form changes the spheres only", "[scene][native]") {
     for (const Builtin& b : builtins()) {
         CAPTURE(b.name);
         const Scene cut = b.make(2 <= b.max_size ? 2 : 1),
@@ -145,7 +145,7 @@ TEST_CASE("The form changes the spheres only", "[scene][native]") {
     CHECK(native("rings:1").normals.size() == native("rings:1").vertices.size());
 }
 
-TEST_CASE("Materials reflect and refract as published", "[scene][native]") {
+TEST_CASE("materials reflect and refract as published", "[scene][native]") {
     struct Case {
         const char* scene;
         const char* material;
@@ -179,7 +179,7 @@ TEST_CASE("Materials reflect and refract as published", "[scene][native]") {
     CHECK(found->index == c.index);
 }
 
-TEST_CASE("The mirrors are the Cornell box with other walls and one more", "[scene][native]") {
+TEST_CASE("the mirrors are the Cornell box with other walls and one more", "[scene][native]") {
     const Scene box = make_builtin("cornell"), mirrors = make_builtin("mirrors");
     CHECK(box.vertices == mirrors.vertices);
     int reflecting = 0;
@@ -187,7 +187,7 @@ TEST_CASE("The mirrors are the Cornell box with other walls and one more", "[sce
     CHECK(reflecting == 8);
 }
 
-TEST_CASE("A camera is fitted around spheres, and before planes", "[scene][native]") {
+TEST_CASE("a camera is fitted around spheres, and before planes", "[scene][native]") {
     Scene scene = native("balls:1");
     scene.triangles.clear();
     const double aspect = GENERATE(0.5, 2.0);

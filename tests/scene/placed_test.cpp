@@ -34,7 +34,7 @@ void check_same(const PlacedScene& placed, const Scene& right, const Scene& flat
 
 }   // namespace
 
-TEST_CASE("The gearbox is one gear in many places, and the same as the gears", "[scene][placed]") {
+TEST_CASE("the gearbox is one gear in many places, and the same as the gears", "[scene][placed]") {
     for (const int size : {1, 3}) {
         const std::string number = std::to_string(size);
         const PlacedScene placed = make_placed("gearbox:" + number);
@@ -46,7 +46,7 @@ TEST_CASE("The gearbox is one gear in many places, and the same as the gears", "
     }
 }
 
-TEST_CASE("The flake is one ball in many places, and the same as the balls", "[scene][placed]") {
+TEST_CASE("the flake is one ball in many places, and the same as the balls", "[scene][placed]") {
     const PlacedScene placed = make_placed("flake:2");
     REQUIRE(placed.meshes.size() == 1);
     CHECK(placed.meshes[0].triangles.size() == 108);
@@ -54,7 +54,7 @@ TEST_CASE("The flake is one ball in many places, and the same as the balls", "[s
     check_same(placed, make_builtin("balls:2"), make_builtin("flake:2"));
 }
 
-TEST_CASE("The boughs are one cone and one ball in many places, and the same as the tree",
+TEST_CASE("the boughs are one cone and one ball in many places, and the same as the tree",
           "[scene][placed]") {
     const PlacedScene placed = make_placed("boughs:6");
     REQUIRE(placed.meshes.size() == 2);
@@ -63,13 +63,13 @@ TEST_CASE("The boughs are one cone and one ball in many places, and the same as 
     check_same(placed, make_builtin("tree:6"), make_builtin("boughs:6"));
 }
 
-TEST_CASE("Other scenes have no instances, and are themselves when flattened", "[scene][placed]") {
+TEST_CASE("other scenes have no instances, and are themselves when flattened", "[scene][placed]") {
     const PlacedScene placed = make_placed("gears:1");
     CHECK(placed.instances.empty());
     CHECK(flattened(placed).vertices == make_builtin("gears:1").vertices);
 }
 
-TEST_CASE("Normals stay perpendicular to their facets and on their side, whatever the map",
+TEST_CASE("normals stay perpendicular to their facets and on their side, whatever the map",
           "[scene][placed]") {
     // Each facet has its own corners and corner normals. The map scales unequally, shears, turns, and in half
     // of the cases mirrors.

@@ -19,7 +19,7 @@ bool is_within(int offset, int cell, int n) {
 
 }   // namespace
 
-TEST_CASE("Every cell of a pixel holds one sample, and the first four lie in three quarters at least",
+TEST_CASE("every cell of a pixel holds one sample, and the first four lie in three quarters at least",
           "[scene][samples]") {
     const int n = GENERATE(range(1, most_aa + 1));
     const bool jitter = GENERATE(false, true);

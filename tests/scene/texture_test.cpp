@@ -54,7 +54,7 @@ template <class Change> std::string sentence(const Change& change) {
 
 }   // namespace
 
-TEST_CASE("All sRGB codes survive the way to linear light and back", "[scene][texture]") {
+TEST_CASE("all sRGB codes survive the way to linear light and back", "[scene][texture]") {
     CHECK(srgb_to_linear(0) == 0);
     CHECK(srgb_to_linear(255) == 1);
     CHECK(srgb_to_linear(10) == Approx(10 / 255.0 / 12.92));
@@ -63,7 +63,7 @@ TEST_CASE("All sRGB codes survive the way to linear light and back", "[scene][te
     CHECK(linear_to_srgb(std::numeric_limits<double>::quiet_NaN()) == 0);
 }
 
-TEST_CASE("A mip level is the mean in linear light, and alpha weights colours where it differs",
+TEST_CASE("a mip level is the mean in linear light, and alpha weights colours where it differs",
           "[scene][texture]") {
     // Half black and half white is 0.5 of the light, whose nearest code is 188.
     const Pyramid opaque = make_pyramid({2, 2, {grey(0), grey(255), grey(255), grey(0)}});
@@ -79,7 +79,7 @@ TEST_CASE("A mip level is the mean in linear light, and alpha weights colours wh
     CHECK(half.levels[1].texels == std::vector<Texel>{grey(50, 1)});
 }
 
-TEST_CASE("Levels halve each side down to 1", "[scene][texture]") {
+TEST_CASE("levels halve each side down to 1", "[scene][texture]") {
     const Pyramid pyramid = make_pyramid({8, 2, std::vector<Texel>(16, grey(90))});
     REQUIRE(pyramid.levels.size() == 4);
     for (const auto& [level, width, height] :
@@ -92,7 +92,7 @@ TEST_CASE("Levels halve each side down to 1", "[scene][texture]") {
     CHECK_THROWS_AS(make_pyramid({3, 1, std::vector<Texel>(3)}), std::logic_error);
 }
 
-TEST_CASE("Sides become the nearest power of two in the logarithm", "[scene][texture]") {
+TEST_CASE("sides become the nearest power of two in the logarithm", "[scene][texture]") {
     const std::array<std::pair<int, int>, 12> sides{{{1, 1},
                                                      {2, 2},
                                                      {3, 4},
@@ -108,7 +108,7 @@ TEST_CASE("Sides become the nearest power of two in the logarithm", "[scene][tex
     for (const auto& [side, power] : sides) CHECK(texture_side(side) == power);
 }
 
-TEST_CASE("Resampling takes the mean over each new texel's area", "[scene][texture]") {
+TEST_CASE("resampling takes the mean over each new texel's area", "[scene][texture]") {
     // 3 x 5 becomes 4 x 4. Column 0 holds 0, column 1 holds 255, column 2 holds 0; all rows are the same.
     TexelLevel picture{3, 5, {}};
     for (int y = 0; y < 5; ++y)
@@ -133,7 +133,7 @@ TEST_CASE("Resampling takes the mean over each new texel's area", "[scene][textu
     CHECK(resampled(fits).texels == fits.texels);
 }
 
-TEST_CASE("Wrapping at the borders", "[scene][texture]") {
+TEST_CASE("coordinates beyond the border repeat, mirror or clamp", "[scene][texture]") {
     const Texture repeat = ramp(4, Wrap::repeat), mirror = ramp(4, Wrap::mirror),
                   clamp = ramp(4, Wrap::clamp);
     struct Case {
@@ -160,7 +160,7 @@ TEST_CASE("Wrapping at the borders", "[scene][texture]") {
     CHECK(code_at(clamp, c.s) == c.clamp);
 }
 
-TEST_CASE("Bilinear filtering mixes the four nearest texels in linear light", "[scene][texture]") {
+TEST_CASE("bilinear filtering mixes the four nearest texels in linear light", "[scene][texture]") {
     Texture texture{.name = "four",
                     .pyramid = std::make_shared<const Pyramid>(
                         make_pyramid({2, 2, {grey(0), grey(255), grey(255), grey(255)}}))};
@@ -182,7 +182,7 @@ TEST_CASE("Bilinear filtering mixes the four nearest texels in linear light", "[
     CHECK(average_of(texture).r == 0.75);
 }
 
-TEST_CASE("Coordinates shift by whole periods towards 0", "[scene][texture]") {
+TEST_CASE("coordinates shift by whole periods towards 0", "[scene][texture]") {
     const CornerCoordinates far{{{10.25, 7}, {11.25, 7.5}, {10.75, 8}}};
     const CornerCoordinates repeat = near_zero(ramp(4, Wrap::repeat), far);
     CHECK(repeat[0] == glm::dvec2(0.25, 0));   // the middles 10.75 and 7.5 lie in the periods 10 and 7
@@ -193,7 +193,7 @@ TEST_CASE("Coordinates shift by whole periods towards 0", "[scene][texture]") {
     CHECK(near_zero(ramp(4, Wrap::clamp), far) == far);
 }
 
-TEST_CASE("The level follows distance, angle and density", "[scene][texture]") {
+TEST_CASE("the level follows distance, angle and density", "[scene][texture]") {
     const Scene scene = painted_square();
     // 4 x 1 texels on 4 x 4 units: half a texel per unit.
     CHECK(texture_detail(scene, 0) == Approx(-1));
@@ -220,7 +220,7 @@ TEST_CASE("The level follows distance, angle and density", "[scene][texture]") {
     CHECK(level_of(single, 5) == 0);
 }
 
-TEST_CASE("Wrong textures and coordinates are named", "[scene][check][texture]") {
+TEST_CASE("wrong textures and coordinates are named", "[scene][check][texture]") {
     CHECK(sentence([](Scene&) {}).empty());
     CHECK(sentence([](Scene& s) { s.coordinates[1][2].x = 64; }).empty());
     CHECK(sentence([](Scene& s) { s.coordinates[1][2].x = -65; }) ==
@@ -239,7 +239,7 @@ TEST_CASE("Wrong textures and coordinates are named", "[scene][check][texture]")
           "a.obj: the texture 'ramp' has no picture");
 }
 
-TEST_CASE("Instances keep their coordinates, and mirror images turn them", "[scene][placed][texture]") {
+TEST_CASE("instances keep their coordinates, and mirror images turn them", "[scene][placed][texture]") {
     PlacedScene scene;
     const Scene square = painted_square();
     scene.own.materials = square.materials, scene.own.textures = square.textures;
@@ -271,7 +271,7 @@ TEST_CASE("Instances keep their coordinates, and mirror images turn them", "[sce
     CHECK(joined.coordinates[2] == square.coordinates[0]);
 }
 
-TEST_CASE("The room has every kind of texture", "[scene][builtin][texture]") {
+TEST_CASE("the room has every kind of texture", "[scene][builtin][texture]") {
     const Scene scene = make_builtin("room");
     CHECK_NOTHROW(check_scene(scene, "room"));
     CHECK(scene.coordinates.size() == scene.triangles.size());

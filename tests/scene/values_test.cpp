@@ -221,7 +221,7 @@ TEST_CASE("tree:11 is where the reference generator puts it", "[scene][values]")
     CHECK(highest == Approx(3.1362592).margin(6e-8));
 }
 
-TEST_CASE("Cones are cut where the description says", "[scene][values]") {
+TEST_CASE("cones are cut where the description says", "[scene][values]") {
     // The trunk is parallel to z: angle 0 is towards e_z x e_x = e_y; normals tilt up by the taper.
     const Scene scene = make_builtin("tree:1");
     check_point(scene.vertices[4], {0, 0.15, 0});
@@ -231,7 +231,7 @@ TEST_CASE("Cones are cut where the description says", "[scene][values]") {
     check_point(scene.normals[4], glm::dvec3(0, 1, taper) / std::sqrt(1 + taper * taper));
 }
 
-TEST_CASE("Spheres are cut at equal angles", "[scene][values]") {
+TEST_CASE("spheres are cut at equal angles", "[scene][values]") {
     // The middle of a cube side at factor 3: grid lines at -15 and 15 degrees; also a corner and an edge
     // point.
     const Scene scene = make_builtin("balls:1");

@@ -89,7 +89,7 @@ TEST_CASE("a unit's count has what is beneath it, and each kind of cell once, wh
     CHECK(part_of(json).count == unit.count);
 }
 
-TEST_CASE("machines with and without units, from any configuration that can shade") {
+TEST_CASE("any configuration that can shade has a variant for each unit") {
     for (const std::string& name : config_names()) {
         INFO(name);
         const std::vector<Variant> all = variants_of(named_config(name));

@@ -180,7 +180,7 @@ TEST_CASE("a step is given back for a better one, and when it has become useless
     CHECK(given_back->best().use->bram == 10);
 }
 
-TEST_CASE("a device without room for the least machine, and an interrupted search") {
+TEST_CASE("a device too small for the least machine gets none, and an interrupted search has no result") {
     Formulas formulas;
     const Use room{100, 90000, 60, 20};
     const std::optional<SearchResult> none = search(named_config("default"), room, formulas.evaluator());
@@ -194,7 +194,7 @@ TEST_CASE("a device without room for the least machine, and an interrupted searc
     }
 }
 
-TEST_CASE("a search as text and JSON") {
+TEST_CASE("a search is reported as text and as JSON") {
     Formulas formulas;
     const std::optional<SearchResult> found = search(named_config("default"), rooms[4], formulas.evaluator());
     REQUIRE(found);

@@ -31,7 +31,7 @@ TEST_CASE("a block of two colours that the format can store keeps both") {
     for (const Code& code : through_blocks(one).texels) CHECK(code == Code{247, 251, 0, 255});
 }
 
-TEST_CASE("a block has four colours: two, and two at thirds between them") {
+TEST_CASE("a block has four colours, its own two and two at thirds between them") {
     // Steps of a third of 255 between black and white are exact, and no other grey is one of them.
     const auto grey = [](int code) {
         return Code{std::uint8_t(code), std::uint8_t(code), std::uint8_t(code), 255};

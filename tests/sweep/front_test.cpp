@@ -85,7 +85,7 @@ TEST_CASE("the speed of a film is that of all its frames") {
     CHECK(sweep::front_of(results).measures[2].key == "film_fps");
 }
 
-TEST_CASE("no knee where there is none") {
+TEST_CASE("a front without a bend has no knee") {
     CHECK(!sweep::knee_of({}));
     CHECK(!sweep::knee_of(points({{1, 1}})));
     CHECK(!sweep::knee_of(points({{1, 1}, {1, 1}, {1, 1}})));
@@ -111,7 +111,7 @@ TEST_CASE("cost is multipliers, or bytes where nothing has any") {
     CHECK(!bytes.knee);
 }
 
-TEST_CASE("cost is what was chosen") {
+TEST_CASE("the cost of a front is the chosen one") {
     std::vector<sweep::Result> results{result(10, 50, 90), result(10, 60, 80), result(10, 70, 70),
                                        result(10, 80, 60)};
     // In cells of the chip: LUTs fall, multipliers and block RAMs rise with speed. The last was not counted.

@@ -1,8 +1,9 @@
-# cmake -DRTL=folder -P style.cmake
-# Every Verilog file begins with a comment and sets default_nettype none. It has no tab, no trailing blank, no
-# comment directly behind a comma or semicolon, no line above 100 columns, no generate block without a name,
-# and no '1 that a constant selects, because Yosys 0.23 reads it as 1. The generated package declares no nets,
-# and its lines may be longer.
+# cmake -DRTL=folder -DHARNESSES=folders -P style.cmake
+# Every Verilog file of RTL begins with a comment and sets default_nettype none. It has no tab, no trailing
+# blank, no comment directly behind a comma or semicolon, no line above 100 columns, no generate block without
+# a name, and no '1 that a constant selects, because Yosys 0.23 reads it as 1. The generated package declares
+# no nets, and its lines may be longer. Verilog files of the HARNESSES, which tests read, have no tab, no
+# trailing blank and no line above 100 columns.
 file(GLOB_RECURSE sources ${RTL}/*.sv)
 list(LENGTH sources count)
 if(count LESS 10)
@@ -40,6 +41,19 @@ foreach(source IN LISTS sources)
       string(APPEND bad "${source}: no `default_nettype none\n")
     endif()
   endif()
+endforeach()
+foreach(folder IN LISTS HARNESSES)
+  file(GLOB_RECURSE harnesses ${folder}/*.sv)
+  list(LENGTH harnesses count)
+  if(count EQUAL 0)
+    message(FATAL_ERROR "there is no file in ${folder}")
+  endif()
+  foreach(source IN LISTS harnesses)
+    file(READ ${source} text)
+    refuse(${source} "\t" "a tab")
+    refuse(${source} " \n" "a blank at the end of the line")
+    refuse(${source} "${wide}" "more than 100 columns")
+  endforeach()
 endforeach()
 if(bad)
   message(FATAL_ERROR "\n${bad}")

@@ -26,20 +26,20 @@ TEST_CASE("the RTL of the quick configurations builds", "[.build]") {
     REQUIRE_NOTHROW(build_all(jobs));
 }
 
-TEST_CASE("model and RTL agree on every scene, default configuration") {
+TEST_CASE("model and RTL agree on eight scenes, default configuration") {
     const std::string scene = GENERATE(from_range(scenes));
     INFO(scene);
     const LockstepResult result = check_lockstep(make_shot(scene, {96, 72}, quick_config("default")).job);
     CHECK(result.events_compared > 50'000);
 }
 
-TEST_CASE("model and RTL agree on every scene, small configuration") {
+TEST_CASE("model and RTL agree on eight scenes, small configuration") {
     const std::string scene = GENERATE(from_range(scenes));
     INFO(scene);
     check_lockstep(make_shot(scene, {64, 48}, quick_config("small")).job);
 }
 
-TEST_CASE("model and RTL agree on every scene, the two extreme configurations") {
+TEST_CASE("model and RTL agree on eight scenes, the two extreme configurations") {
     const std::string scene = GENERATE(from_range(scenes));
     const std::string config = GENERATE("narrow", "broad");
     INFO(scene);
@@ -69,21 +69,27 @@ TEST_CASE("model and RTL agree for every leaf size") {
             check_lockstep(make_shot(scene, {48, 36}, with(quick_config(config), {{"leaf_size", leaf}})).job);
 }
 
-TEST_CASE("model and RTL agree for every memory and every back-pressure") {
+TEST_CASE("model and RTL agree on an ideal memory of three latencies, under eight kinds of traffic") {
     const std::string name = GENERATE("default", "small", "narrow", "broad");
     const Traffic traffic =
         GENERATE(Traffic{0, 0, 1}, Traffic{1, 0, 2}, Traffic{30, 0, 3}, Traffic{0, 50, 4}, Traffic{7, 20, 5},
                  Traffic{100, 90, 6}, Traffic{3, 70, 7}, Traffic{200, 5, 8});
     const int latency = GENERATE(1, 8, 61);
-    const Config config = with(
-        quick_config(name), {{"dram", 0}, {"mem_latency", latency}, {"mem_interval", latency == 8 ? 3 : 1}});
+    Config config =
+        with(quick_config(name), {{"mem_latency", latency}, {"mem_interval", latency == 8 ? 3 : 1}});
+    config.dram = DramName::ideal;
+    check_config(config, name);
     check_lockstep(make_shot("gears:1", {32, 24}, config).job, traffic, int(traffic.seed));
 }
 
-TEST_CASE("model and RTL agree on every DRAM, at every clock, with every back-pressure") {
+TEST_CASE("model and RTL agree on three DRAMs at three clocks, with and without back-pressure") {
     const std::string name = GENERATE("default", "small", "narrow", "broad");
-    const int dram = GENERATE(1, 2, 3), khz = GENERATE(20000, 66000, 533333);
-    Job job = make_shot("gears:1", {32, 24}, with(quick_config(name), {{"dram", dram}})).job;
+    const DramName dram = GENERATE(DramName::sdr, DramName::ddr3, DramName::rpu);
+    const int khz = GENERATE(20000, 66000, 533333);
+    Config config = quick_config(name);
+    config.dram = dram;
+    check_config(config, name);
+    Job job = make_shot("gears:1", {32, 24}, config).job;
     job.khz = khz;
     INFO(khz << " kHz");
     for (const Traffic& traffic : {Traffic{}, Traffic{40, 0, 2}, Traffic{25, 60, 3}})
@@ -182,7 +188,7 @@ TEST_CASE("model and RTL agree over several frames on one machine, whose caches 
     }
 }
 
-TEST_CASE("model and RTL agree whatever the registers held before reset") {
+TEST_CASE("model and RTL agree for twelve random states of the registers before reset") {
     const Shot shot =
         make_shot("balls:1", {32, 24}, quick_config(GENERATE("default", "small", "narrow", "broad")));
     for (int seed = 1; seed <= 12; ++seed) check_lockstep(shot.job, {2, 10, std::uint64_t(seed)}, seed);

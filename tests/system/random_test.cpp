@@ -79,12 +79,12 @@ TEST_CASE("the RTL of the quick random configurations builds", "[.build]") {
     REQUIRE_NOTHROW(build_all(jobs));
 }
 
-TEST_CASE("a few random configurations, memories and back-pressures") {
+TEST_CASE("model and RTL agree on a few random configurations, memories and back-pressures") {
     const std::uint64_t seed = GENERATE(range(std::uint64_t(1), quick_seeds + 1));
     check_random(quick_random(seed), seed);
 }
 
-TEST_CASE("random configurations, memories and back-pressures", "[slow]") {
+TEST_CASE("model and RTL agree on random configurations, memories and back-pressures", "[slow]") {
     const std::uint64_t seed = GENERATE(range(quick_seeds + 1, std::uint64_t(29)));
     check_random(random_chip(seed, false), seed);
 }

@@ -95,7 +95,8 @@ TEST_CASE("other origins of secondary rays do shadow themselves and leak", "[sha
     }
 }
 
-TEST_CASE("from every point of a small solid to every light, on either side", "[shadows]") {
+TEST_CASE("shadow rays from every point of a small solid to every light are exact, on either side",
+          "[shadows]") {
     const std::vector<Corners> mesh = shells();
     const std::size_t solid = prism().size();
     const int frac_bits = GENERATE(2, 3), one = 1 << frac_bits;

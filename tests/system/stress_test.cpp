@@ -50,8 +50,8 @@ struct Temporary {
 }   // namespace
 
 TEST_CASE(
-    "families of hard cases: closed where they say so, inside the lattice, and the sum of crossings is that "
-    "of the origin",
+    "families of hard cases are closed where they say so, lie in the lattice, and have the crossings of the "
+    "origin",
     "[stress]") {
     const int bits = GENERATE(12, 15, 18, 20);
     for (const Family& f : families())

@@ -113,7 +113,9 @@ Scene gap(double width) {
 
 }   // namespace
 
-TEST_CASE("wide and narrow cameras: exact in every pixel, no distance saturates, visits explain the cycles") {
+TEST_CASE(
+    "wide and narrow cameras are exact in every pixel, no distance saturates, and visits explain the "
+    "cycles") {
     const std::string name = GENERATE("gears:2", "cornell", "icosphere:3", "balls:1");
     const std::string config = GENERATE("default", "narrow");
     Scene scene = loaded(name);
@@ -173,7 +175,7 @@ TEST_CASE("model and RTL agree from far away, very near, and in a narrow gap") {
         make_job(narrow_gap, Camera{{0.01, 0.02, 0}, {1, 0.4, 0}, {0, 0, 1}, 140}, {40, 30}, machine));
 }
 
-TEST_CASE("an eye far away or very near: exact in every pixel, visits explain the cycles") {
+TEST_CASE("an eye far away or very near is exact in every pixel, and visits explain the cycles") {
     const std::string name = GENERATE("gears:2", "cornell", "balls:1");
     const Scene scene = loaded(name);
     const Bounds box = bounds(scene);
@@ -207,7 +209,7 @@ TEST_CASE("an eye far away or very near: exact in every pixel, visits explain th
         }
 }
 
-TEST_CASE("in a narrow gap: exact in every pixel, visits explain the cycles") {
+TEST_CASE("an eye in a narrow gap is exact in every pixel, and visits explain the cycles") {
     for (const double width : {1e-2, 1e-3, 1e-4}) {   // the lattice's pitch is about 1e-5
         const Scene scene = gap(width);
         for (const double angle : angles)

@@ -5,7 +5,7 @@
 
 namespace rayclock::test {
 
-/// Judges a stream of answers under every kind of flow.
+/// Judges a stream of answers under every kind of pace.
 template <class Dut, class DrawCase> void check_judged(const Config& config, DrawCase&& draw_case) {
     for (unsigned seed = 1; seed <= 4; ++seed) {
         INFO(config.name << ", seed " << seed);
@@ -13,7 +13,7 @@ template <class Dut, class DrawCase> void check_judged(const Config& config, Dra
         std::deque<decltype(draw_case(draw, config))> cases;
         Dut dut{config, Frame{}, int(seed)};
         stream(
-            dut, config, flows[seed - 1], draw, 1500,
+            dut, config, paces[seed - 1], draw, 1500,
             [&](Draw& from) {
                 cases.push_back(draw_case(from, config));
                 return cases.back().req;
@@ -35,19 +35,19 @@ template <class Unit, class DrawCase> void check_answers(const Config& config, D
     }
 }
 
-/// Compares model and RTL in every cycle, under every kind of flow.
+/// Compares model and RTL in every cycle, under every kind of pace.
 template <class Unit, class DrawCase>
 void check_moves(const Config& config, std::initializer_list<unsigned> seeds, DrawCase&& draw_case) {
-    for (const Flow& flow : flows)
+    for (const Pace& pace : paces)
         for (const unsigned seed : seeds)
-            check_lockstep<Unit>(config, {}, flow, int(seed), 2000,
+            check_lockstep<Unit>(config, {}, pace, int(seed), 2000,
                                  [&](Draw& draw) { return draw_case(draw, config).req; });
 }
 
 /// Compares model and RTL in every cycle, at both ends of every width.
 template <class Unit, class DrawCase> void check_moves_at_ends(const Config& config, DrawCase&& draw_case) {
     for (unsigned seed = 21; seed <= 22; ++seed)
-        check_lockstep<Unit>(config, {}, flows[0], seed, 4000,
+        check_lockstep<Unit>(config, {}, paces[0], seed, 4000,
                              [&](Draw& draw) { return draw_case(draw, config).req; });
 }
 

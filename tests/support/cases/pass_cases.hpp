@@ -6,29 +6,23 @@
 #include "model/engine/check.hpp"
 #include "model/unit/shade/pass.hpp"
 #include "model/unit/shade/unit_vector.hpp"
+#include "tests/support/cases/chip_name.hpp"
 #include "tests/support/cases/placement_cases.hpp"
 
 namespace rayclock::test {
 
-/// Returns a format by name. "all" has every unit of default, "plain" only shading, "mirror" all but
-/// refraction. "narrow" and "broad" are at the ends of the lattice. "short" has directions shorter than a
-/// unit vector's components. Prefixes: "everyK:..." makes a pass every K cycles, "fast:..." has the paths of
-/// a fast chip, "levels:..." has instances, "textured:..." has textures.
-inline Config shaded_format(const std::string& name) {
-    if (const std::size_t colon = name.find(':'); colon != std::string::npos) {
-        Config c = shaded_format(name.substr(colon + 1));
-        c.name = name;
-        if (name.starts_with("fast:"))
-            c.timing = Timing::fast, c.raygen_queue = c.box_queue = 32, c.tri_queue = 64;
-        else if (name.starts_with("levels:"))
-            c.levels = 2;
-        else if (name.starts_with("textured:"))
-            c.textures = 1;
-        else
-            c.shade_interval = std::stoi(name.substr(5));
-        check_config(c, name);
-        return c;
-    }
+/// `every2:` makes a pass every two cycles, `levels:` has instances, `textured:` has textures.
+inline constexpr FormatPrefix shaded_prefixes[] = {
+    {"every", "248", [](Config& c, int cycles) { c.shade_interval = cycles; }},
+    {"fast", "", [](Config& c, int) { make_fast(c); }},
+    {"levels", "", [](Config& c, int) { c.levels = 2; }},
+    {"textured", "", [](Config& c, int) { c.textures = 1; }},
+};
+
+/// `all` has every unit of default, `plain` only shading, `mirror` all but refraction. `narrow` and `broad`
+/// are at the ends of the lattice. `short` has directions shorter than a unit vector's components.
+inline Config shaded_base(const std::string& name) {
+    check_base(name, {"all", "plain", "mirror", "narrow", "broad", "short"});
     Config c;
     c.name = name;
     c.shading = 1;
@@ -45,6 +39,14 @@ inline Config shaded_format(const std::string& name) {
     if (name == "short") c.coord_bits = 14, c.dir_bits = 14, c.origin_bits = 6;
     c.panes = !c.refraction ? 0 : name == "all" ? 2 : name == "broad" ? max_panes : 1;
     c.horizon = c.origin_bits >= far_drop && name != "narrow";
+    return c;
+}
+
+/// Returns the configuration of a shading chip, with prefixes of `shaded_prefixes`. Throws
+/// std::invalid_argument for a name that is unknown.
+inline Config shaded_format(const std::string& name) {
+    Config c = read_format(name, shaded_prefixes, shaded_base);
+    c.name = name;
     check_config(c, name);
     return c;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/engine/check.hpp"
+#include "tests/support/cases/chip_name.hpp"
 #include "tests/support/cases/draw.hpp"
 
 namespace rayclock::test {
@@ -17,6 +18,7 @@ __extension__ using Int128 = __int128;
 /// "levels" has two levels. "planes" has planes, whose u and v are signed. "wide" has planes and the widest u
 /// and v.
 inline Config tex_config(const std::string& name) {
+    check_base(name, {"rgb888", "rgb565", "narrow", "fine", "levels", "planes", "wide"});
     Config c = named_config(name == "rgb565" ? "ulx3s-shaded" : "default");
     c.name = name;
     c.shading = c.textures = 1;

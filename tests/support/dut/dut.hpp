@@ -16,6 +16,7 @@
 #include "model/engine/spheres/globe.hpp"
 #include "model/engine/kd/treelet.hpp"
 #include "sim/run/rtl/rtl_module.hpp"
+#include "tests/support/dut/format.hpp"
 
 namespace rayclock::test {
 
@@ -247,69 +248,5 @@ public:
 private:
     RtlLinks links_;
 };
-
-/// Returns a format for tests of the arithmetic units: the two shipped formats, a narrow lattice with long
-/// directions, the widest, one whose reciprocals are longer than its slopes, and one of coarse reciprocals.
-/// Prefixes: "sheared:..." selects that primitive test; "shading:..." a shading chip with all primitives;
-/// "samples:..." several samples per pixel and triangles only; "fast:..." paths cut for a fast clock.
-/// "every2:..." or "every4:..." sets the interval of tri, "lanes1:..." to "lanes4:..." the children that box
-/// tests at once, and "rays2:..." to "rays8:..." the interval of raygen.
-inline Config format(const std::string& name) {
-    if (name.starts_with("every2:") || name.starts_with("every4:")) {
-        Config config = format(name.substr(7));
-        config.tri_interval = name[5] - '0';
-        return config;
-    }
-    if (name.starts_with("rays") && name.find(':') == 5) {
-        Config config = format(name.substr(6));
-        config.raygen_interval = name[4] - '0';
-        return config;
-    }
-    if (name.starts_with("lanes") && name.find(':') == 6) {
-        Config config = format(name.substr(7));
-        config.box_lanes = name[5] - '0';
-        return config;
-    }
-    if (name.starts_with("fast:")) {
-        Config config = format(name.substr(5));
-        config.timing = Timing::fast;
-        config.raygen_queue = config.box_queue = 32;
-        config.tri_queue = 64;
-        return config;
-    }
-    if (name.starts_with("shading:") || name.starts_with("samples:")) {
-        Config config = format(name.substr(8));
-        config.shading = 1;
-        config.origin_bits = std::min(config.origin_bits, 30 - config.coord_bits);
-        (name.starts_with("samples:") ? config.supersampling : config.spheres) = 1;
-        config.planes = config.spheres;
-        check_config(config, name);
-        return config;
-    }
-    if (name.starts_with("sheared:")) {
-        Config config = format(name.substr(8));
-        config.primitive_test = PrimitiveTest::sheared;
-        return config;
-    }
-    if (name == "precise") {
-        Config config = format("narrow");
-        config.dir_bits = 15;
-        config.recip_bits = 24;
-        return config;
-    }
-    if (name == "coarse") {   // few bits of reciprocal and many of t: the longest shifts
-        Config config;
-        config.name = name;
-        config.recip_bits = config.t_frac_bits = 8;
-        return config;
-    }
-    if (name == "default" || name == "small") return named_config(name);
-    Config config;
-    config.name = name;
-    config.coord_bits = name == "narrow" ? 12 : 20;
-    config.dir_bits = name == "narrow" ? 24 : 22;
-    config.recip_bits = name == "narrow" ? 15 : 18;
-    return config;
-}
 
 }   // namespace rayclock::test

@@ -306,11 +306,11 @@ template <class Dut> void check_answers_not_taken(const Config& config) {
 
 template <class Dut> void check_random(const Config& config, int seeds, int requests) {
     using K = typename Dut::CacheKind;
-    for (const Flow& flow : flows)
+    for (const Pace& pace : paces)
         for (int seed = 1; seed <= seeds; ++seed) {
-            INFO(flow.name << ", seed " << seed);
+            INFO(pace.name << ", seed " << seed);
             Dut dut{config, seed};
-            CacheWorld<K> world{config, unsigned(seed), flow, requests};
+            CacheWorld<K> world{config, unsigned(seed), pace, requests};
             for (int cycle = 0, quiet = 0; quiet < 10; ++cycle) {
                 INFO("cycle " << cycle);
                 REQUIRE(cycle < 500 * requests);
@@ -328,15 +328,15 @@ template <class Dut> void check_random(const Config& config, int seeds, int requ
 /// them.
 template <class K> void lockstep(const Config& config, int seeds, int cycles) {
     std::array<int, cache_outcomes> outcomes{};
-    for (const Flow& flow : flows)
+    for (const Pace& pace : paces)
         for (int seed = 1; seed <= seeds; ++seed) {
             CacheRtl<K> rtl{config, seed};
             for (int round = 0; round < 2; ++round) {
                 if (round > 0) rtl.reset();
                 CacheModel<K> model{config};
-                CacheWorld<K> world{config, unsigned(10 * seed + round), flow, 1 << 30};
+                CacheWorld<K> world{config, unsigned(10 * seed + round), pace, 1 << 30};
                 for (int cycle = 0; cycle < cycles; ++cycle) {
-                    INFO(config.name << ", " << flow.name << ", seed " << seed << ", round " << round
+                    INFO(config.name << ", " << pace.name << ", seed " << seed << ", round " << round
                                      << ", cycle " << cycle);
                     world.drive(model);
                     static_cast<CacheLinks<K>&>(rtl) = model;

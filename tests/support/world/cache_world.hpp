@@ -71,10 +71,10 @@ private:
 template <class K> class CacheWorld {
 public:
     using Req = typename K::Req;
-    CacheWorld(const Config& config, unsigned seed, const Flow& flow, int requests)
+    CacheWorld(const Config& config, unsigned seed, const Pace& pace, int requests)
         : config_(config),
           shape_(K::shape(config)),
-          flow_(flow),
+          flow_(pace),
           draw_(seed),
           left_(requests),
           requested_(std::size_t(K::ids(config))),
@@ -195,7 +195,7 @@ private:
 
     Config config_;
     CacheShape shape_;
-    Flow flow_;
+    Pace flow_;
     Draw draw_;
     int left_, under_way_ = 0, answers_ = 0, now_ = 0;
     std::vector<std::optional<Req>> requested_;   // by id

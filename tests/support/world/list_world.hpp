@@ -33,8 +33,8 @@ struct LeafWalk {
 
 class ListWorld {
 public:
-    ListWorld(const Config& config, unsigned seed, const Flow& flow, int rays)
-        : config_(config), flow_(flow), draw_(seed), left_(rays), contexts_(std::size_t(config.contexts)) {}
+    ListWorld(const Config& config, unsigned seed, const Pace& pace, int rays)
+        : config_(config), flow_(pace), draw_(seed), left_(rays), contexts_(std::size_t(config.contexts)) {}
 
     bool finished() const { return left_ == 0 && running_ == 0; }
     int triangles() const { return triangles_; }
@@ -237,7 +237,7 @@ private:
     }
 
     Config config_;
-    Flow flow_;
+    Pace flow_;
     Draw draw_;
     int left_, running_ = 0, triangles_ = 0, stopped_ = 0, passed_ = 0, cutouts_ = 0;
     std::vector<Context> contexts_;

@@ -39,10 +39,10 @@ inline std::deque<Tile> tiles_of(const Frame& frame, int tile_bits) {
 /// costs a cycle. Contexts are assigned as 0, 1, 2, ... and then in the order in which they become free.
 class SchedWorld {
 public:
-    SchedWorld(const Frame& frame, const Config& config, unsigned seed, const Flow& flow)
+    SchedWorld(const Frame& frame, const Config& config, unsigned seed, const Pace& pace)
         : frame_(frame),
           config_(config),
-          flow_(flow),
+          flow_(pace),
           draw_(seed),
           coming_(tiles_of(frame, config.tile_bits)) {
         if (seed % 2) shuffle();
@@ -112,7 +112,7 @@ private:
 
     Frame frame_;
     Config config_;
-    Flow flow_;
+    Pace flow_;
     Draw draw_;
     std::deque<Tile> coming_;
     std::optional<Tile> tile_;

@@ -9,12 +9,12 @@
 
 namespace rayclock::test {
 
-struct Flow {
+struct Pace {
     const char* name;
     int idle_percent;    ///< share of cycles in which the source offers nothing
     int stall_percent;   ///< share of cycles in which the sink accepts nothing
 };
-constexpr std::array<Flow, 4> flows{
+constexpr std::array<Pace, 4> paces{
     {{"full rate", 0, 0}, {"idle source", 60, 0}, {"stalling sink", 0, 60}, {"both", 40, 40}}};
 
 /// Checks that an offer stays unchanged until it is accepted.
@@ -34,18 +34,18 @@ private:
 /// Sends `count` requests and calls judge(req, rsp) for each, in order. No request may be lost, duplicated or
 /// left over, and a stalled answer may not change.
 template <class Dut, class Make, class Judge>
-void stream(Dut& dut, const Config& config, const Flow& flow, Draw& draw, int count, Make make, Judge judge) {
+void stream(Dut& dut, const Config& config, const Pace& pace, Draw& draw, int count, Make make, Judge judge) {
     using Req = typename Dut::Unit::Req;
     std::deque<Req> waiting;
     std::optional<Req> pending;
     Steady<typename Dut::Unit::Rsp> steady{config};
     int sent = 0, received = 0, quiet = 0;
     for (int cycle = 0; quiet < Dut::Unit::latency(config) + 4; ++cycle) {
-        INFO(flow.name << ", cycle " << cycle << ", request " << received);
+        INFO(pace.name << ", cycle " << cycle << ", request " << received);
         REQUIRE(cycle < 20 * count + 1000);
-        if (!pending && sent < count && !draw.percent(flow.idle_percent)) pending = make(draw);
+        if (!pending && sent < count && !draw.percent(pace.idle_percent)) pending = make(draw);
         dut.in.offer = pending;
-        dut.out.ready = !draw.percent(flow.stall_percent);
+        dut.out.ready = !draw.percent(pace.stall_percent);
         dut.eval();
         steady.check(dut.out);
         if (dut.out.fires()) {
@@ -74,7 +74,7 @@ std::vector<typename Dut::Unit::Rsp> answers(Dut& dut, const Config& config,
     std::size_t next = 0;
     Draw draw{1};
     stream(
-        dut, config, flows[0], draw, int(requests.size()), [&](Draw&) { return requests[next++]; },
+        dut, config, paces[0], draw, int(requests.size()), [&](Draw&) { return requests[next++]; },
         [&](const auto&, const auto& rsp) { all.push_back(rsp); });
     return all;
 }
@@ -141,7 +141,7 @@ template <class Dut, class Make> void check_throughput(Dut& dut, const Config& c
 
 /// Requires that model and RTL are equal in every cycle: ready, valid and payload.
 template <class Unit, class Make> void check_lockstep(const Config& config, const Frame& frame,
-                                                      const Flow& flow, unsigned seed, int cycles,
+                                                      const Pace& pace, unsigned seed, int cycles,
                                                       Make make) {
     Model<Unit> model{config, frame};
     Rtl<Unit> rtl{config, frame, int(seed)};
@@ -149,10 +149,10 @@ template <class Unit, class Make> void check_lockstep(const Config& config, cons
     std::optional<typename Unit::Req> pending;
     int moved = 0;
     for (int cycle = 0; cycle < cycles; ++cycle) {
-        INFO(config.name << ", " << flow.name << ", seed " << seed << ", cycle " << cycle);
-        if (!pending && !draw.percent(flow.idle_percent)) pending = make(draw);
+        INFO(config.name << ", " << pace.name << ", seed " << seed << ", cycle " << cycle);
+        if (!pending && !draw.percent(pace.idle_percent)) pending = make(draw);
         model.in.offer = rtl.in.offer = pending;
-        model.out.ready = rtl.out.ready = !draw.percent(flow.stall_percent);
+        model.out.ready = rtl.out.ready = !draw.percent(pace.stall_percent);
         model.eval();
         rtl.eval();
         REQUIRE(same(model.in, rtl.in, config));

@@ -38,11 +38,11 @@ private:
 /// of t_near, and t_best never grows. Checks all leaves, every node and every end against Walk.
 class TravWorld {
 public:
-    TravWorld(const Frame& frame, const Config& config, unsigned seed, const Flow& flow, int rays)
+    TravWorld(const Frame& frame, const Config& config, unsigned seed, const Pace& pace, int rays)
         : frame_(frame),
           config_(config),
           node_answer_delay_(Stages(config).node_answer_delay),
-          flow_(flow),
+          flow_(pace),
           draw_(seed),
           left_(rays),
           contexts_(std::size_t(config.contexts)) {}
@@ -247,7 +247,7 @@ private:
     Frame frame_;
     Config config_;
     DelayedLink<BoxRsp> node_answer_delay_;   // answers that trav has accepted and not yet processed
-    Flow flow_;
+    Pace flow_;
     Draw draw_;
     int left_, started_ = 0, ended_ = 0, nodes_ = 0, stopped_ = 0, listings_ = 0;
     std::vector<Context> contexts_;

@@ -1,4 +1,5 @@
-// Faulty: gives its last answer a second time, 300 cycles after its last request, when the frame is done.
+// Faulty: gives its last answer a second time, 300 cycles after its last request, when the frame is
+// done.
 `default_nettype none
 module rc_tri (
   input  logic             clk_i,
@@ -18,7 +19,8 @@ module rc_tri (
   logic [8:0]       idle_q;   // cycles
 
   rc_tri_own u_own (
-    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .occupied_o, .rsp_valid_o(own_valid), .rsp_ready_i,
+    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .occupied_o, .rsp_valid_o(own_valid),
+    .rsp_ready_i,
     .rsp_o(own));
 
   assign again       = has_last_q && idle_q == Pause && !own_valid;

@@ -30,7 +30,8 @@ module rc_host #(
   logic [6:0] hits_q;
 
   rc_host_own #(.Counters(Counters)) u_own (
-    .clk_i, .rst_ni, .wb_cyc_i, .wb_stb_i, .wb_we_i, .wb_adr_i, .wb_dat_i, .wb_dat_o, .wb_ack_o, .wb_err_o,
+    .clk_i, .rst_ni, .wb_cyc_i, .wb_stb_i, .wb_we_i, .wb_adr_i, .wb_dat_i, .wb_dat_o, .wb_ack_o,
+    .wb_err_o,
     .start_o, .frame_o, .hit_fires_i, .count_o, .clear_o, .counter_o, .counter_there_i, .counter_i,
     .running_o(own_running), .done_o(own_done));
 

@@ -1,5 +1,5 @@
-// Tags of caches that replace the line that came first, whether it was used since or not: hits do not change
-// the order of replacement.
+// Tags of caches that replace the line that came first, whether it was used since or not: hits do
+// not change the order of replacement.
 `default_nettype none
 module rc_tags #(
   parameter  int unsigned TagW = 18,

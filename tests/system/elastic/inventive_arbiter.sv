@@ -23,7 +23,8 @@ module rc_arbiter #(
   logic [5:0]        idle_q;   // cycles
 
   rc_arbiter_own #(.Sources(Sources), .Width(Width)) u_own (
-    .clk_i, .rst_ni, .valid_i, .ready_o, .data_i, .valid_o(own_valid), .ready_i(ready_i && !invents),
+    .clk_i, .rst_ni, .valid_i, .ready_o, .data_i, .valid_o(own_valid),
+    .ready_i(ready_i && !invents),
     .source_o(own_source), .data_o(own_data));
 
   assign invents  = !own_valid && idle_q == Pause;

@@ -1,4 +1,5 @@
-// A unit tri whose answers come five cycles later: the project's unit, and five registers behind it.
+// A unit tri whose answers come five cycles later: the project's unit, and five registers behind
+// it.
 `default_nettype none
 module rc_tri (
   input  logic             clk_i,

@@ -27,15 +27,18 @@ module rc_node_cache (
   logic [7:0] in_flight_q;   // misses of the cache itself
 
   rc_node_cache_own u_own (
-    .clk_i, .rst_ni, .req_valid_i(req_valid_i && !offers_q && !waits_q), .req_ready_o(own_ready), .req_i,
+    .clk_i, .rst_ni, .req_valid_i(req_valid_i && !offers_q && !waits_q), .req_ready_o(own_ready),
+    .req_i,
     .rsp_valid_o, .rsp_ready_i, .rsp_o, .next_fires_o, .next_ray_o, .miss_valid_o(own_miss_valid),
-    .miss_ready_i(miss_ready_i && !offers_q), .miss_o(own_miss), .fill_fires_i(fill_fires_i && !waits_q),
+    .miss_ready_i(miss_ready_i && !offers_q), .miss_o(own_miss),
+    .fill_fires_i(fill_fires_i && !waits_q),
     .fill_i, .waits_o, .outcome_o);
 
   assign req_ready_o  = own_ready && !offers_q && !waits_q;
   assign miss_valid_o = own_miss_valid || offers_q;
   assign miss_o       = offers_q ? rc_pkg::node_miss_t'(line_q) : own_miss;
-  assign is_idle      = !req_valid_i && !own_miss_valid && in_flight_q == '0 && !rsp_valid_o && !offers_q
+  assign is_idle      = !req_valid_i && !own_miss_valid && in_flight_q == '0 && !rsp_valid_o &&
+      !offers_q
                       && !waits_q;
 
   always_ff @(posedge clk_i) begin

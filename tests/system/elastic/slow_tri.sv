@@ -1,4 +1,5 @@
-// A unit tri that accepts a primitive in every third cycle only: the project's unit behind a counter.
+// A unit tri that accepts a primitive in every third cycle only: the project's unit behind a
+// counter.
 `default_nettype none
 module rc_tri (
   input  logic             clk_i,

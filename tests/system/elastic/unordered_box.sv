@@ -1,5 +1,5 @@
-// A unit box whose answers leave out of order across rays: it keeps an answer until the next one has passed, or
-// for seven cycles.
+// A unit box whose answers leave out of order across rays: it keeps an answer until the next one
+// has passed, or for seven cycles.
 `default_nettype none
 module rc_box (
   input  logic             clk_i,

@@ -59,15 +59,15 @@ private:
 
 /// The required outputs of every cycle follow from the results that came in earlier cycles and are still
 /// inside.
-template <class Dut> void pass_results(const Config& config, const Flow& flow, unsigned seed) {
+template <class Dut> void pass_results(const Config& config, const Pace& pace, unsigned seed) {
     Dut dut{config, int(seed)};
     Draw draw{seed};
     std::deque<Result> inside;
     for (int cycle = 0; cycle < 500; ++cycle) {
-        INFO(config.name << ", " << flow.name << ", seed " << seed << ", cycle " << cycle);
-        if (!dut.result.offer && !draw.percent(flow.idle_percent))
+        INFO(config.name << ", " << pace.name << ", seed " << seed << ", cycle " << cycle);
+        if (!dut.result.offer && !draw.percent(pace.idle_percent))
             dut.result.offer = random_payload<Result>(draw, config);
-        dut.pixel.ready = !draw.percent(flow.stall_percent);
+        dut.pixel.ready = !draw.percent(pace.stall_percent);
         dut.eval();
         REQUIRE(dut.result.ready == (inside.size() < 2));
         REQUIRE(dut.pixel.offer.has_value() == !inside.empty());
@@ -85,6 +85,6 @@ template <class Dut> void pass_results(const Config& config, const Flow& flow, u
 
 TEMPLATE_TEST_CASE("out keeps results for a cycle", "[out]", OutModel, OutRtl) {
     for (const char* name : {"default", "shading:default"})
-        for (unsigned seed = 0; seed < flows.size(); ++seed)
-            pass_results<TestType>(format(name), flows[seed], seed + 1);
+        for (unsigned seed = 0; seed < paces.size(); ++seed)
+            pass_results<TestType>(format(name), paces[seed], seed + 1);
 }

@@ -99,16 +99,16 @@ TEST_CASE("bih is right for every pair of planes and origin of one axis, on plan
                     }
 }
 
-TEST_CASE("model and rtl of bih make the same moves in every cycle", "[bih][lockstep]") {
+TEST_CASE("model and RTL of bih make the same moves in every cycle", "[bih][lockstep]") {
     check_moves<BihUnit>(bih_format(GENERATE("default", "shading:narrow", "fast:default")), {11, 12},
                          random_case);
 }
 
 TEST_CASE("bih is right at both ends of every width", "[bih]") {
-    check_answers<BihUnit>(bih_format(GENERATE("default", "shading:narrow", "broad")), case_at_ends);
+    check_answers<BihUnit>(bih_format(GENERATE("default", "shading:narrow", "wide")), case_at_ends);
 }
 
-TEST_CASE("model and rtl of bih make the same moves at both ends of every width", "[bih][lockstep]") {
+TEST_CASE("model and RTL of bih make the same moves at both ends of every width", "[bih][lockstep]") {
     check_moves_at_ends<BihUnit>(bih_format(GENERATE("default", "shading:narrow", "fast:default")),
                                  case_at_ends);
 }

@@ -73,19 +73,19 @@ TEST_CASE("a ray in a plane is on both of its sides, one from a plane only on th
     CHECK(exits({0, -2, 0}, {5, 3, 0}) == 1);
 }
 
-TEST_CASE("model and rtl of slant make the same moves in every cycle", "[slant][lockstep]") {
+TEST_CASE("model and RTL of slant make the same moves in every cycle", "[slant][lockstep]") {
     check_moves<SlantUnit>(bsp_format(GENERATE("default", "shading:narrow")), {11, 12}, random_slant_case);
 }
 
-TEST_CASE("model and rtl of a fast slant make the same moves in every cycle", "[slant][lockstep][fast]") {
+TEST_CASE("model and RTL of a fast slant make the same moves in every cycle", "[slant][lockstep][fast]") {
     check_moves<SlantUnit>(bsp_format("fast:default"), {11}, random_slant_case);
 }
 
 TEST_CASE("slant is right at both ends of every width", "[slant]") {
-    check_answers<SlantUnit>(bsp_format(GENERATE("default", "shading:narrow", "broad")), slant_case_at_ends);
+    check_answers<SlantUnit>(bsp_format(GENERATE("default", "shading:narrow", "wide")), slant_case_at_ends);
 }
 
-TEST_CASE("model and rtl of slant make the same moves at both ends of every width", "[slant][lockstep]") {
+TEST_CASE("model and RTL of slant make the same moves at both ends of every width", "[slant][lockstep]") {
     check_moves_at_ends<SlantUnit>(bsp_format(GENERATE("default", "shading:narrow", "fast:default")),
                                    slant_case_at_ends);
 }

@@ -105,13 +105,13 @@ TEST_CASE("model of box is right for every operand at small widths", "[box][smal
     good(try_model(three_axes, 7), 0.2);
 }
 
-TEST_CASE("rtl of box is right for every operand of an axis and of all three at small widths",
+TEST_CASE("RTL of box is right for every operand of an axis and of all three at small widths",
           "[box][small]") {
     for (const unsigned axis : {1u, 2u, 4u}) good(try_rtl(one_axis, axis), 0.2);
     good(try_rtl(three_axes, 7), 0.2);
 }
 
-TEST_CASE("rtl of box is right for every operand of two axes at small widths", "[box][small][slow]") {
+TEST_CASE("RTL of box is right for every operand of two axes at small widths", "[box][small][slow]") {
     for (const unsigned axes : {3u, 5u, 6u}) good(try_rtl(two_axes, axes), 0.2);
 }
 
@@ -127,7 +127,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "rtl of box is right for every origin between lattice points and every shadow ray of an axis at small "
+    "RTL of box is right for every origin between lattice points and every shadow ray of an axis at small "
     "widths",
     "[box][small][shading]") {
     for (const std::size_t axis : {0u, 1u, 2u}) {
@@ -136,7 +136,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("rtl of box is right for every origin between lattice points of two and three axes at small widths",
+TEST_CASE("RTL of box is right for every origin between lattice points of two and three axes at small widths",
           "[box][small][shading][slow]") {
     for (const unsigned axes : {3u, 5u, 6u}) good(try_rtl(shading(two_axes, 1), axes), 0.3);
     good(try_rtl(shading(three_axes, 1), 7), 0.3);

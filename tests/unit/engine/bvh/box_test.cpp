@@ -8,14 +8,14 @@ namespace {
 
 BoxReq random_req(Draw& draw, const Config& config) { return random_box_case(draw, config).req; }
 
-template <class Dut> void against_oracle(const char* name, unsigned seed, const Flow& flow, int count) {
+template <class Dut> void against_oracle(const char* name, unsigned seed, const Pace& pace, int count) {
     const Config config = format(name);
     INFO(name << ", seed " << seed);
     Draw draw{seed};
     std::deque<BoxCase> cases;
     Dut dut{config, Frame{}, int(seed)};
     stream(
-        dut, config, flow, draw, count,
+        dut, config, pace, draw, count,
         [&](Draw& from) {
             cases.push_back(random_box_case(from, config));
             return cases.back().req;
@@ -37,9 +37,9 @@ Config tiny() {
 }
 
 void same_moves(const Config& config) {
-    for (const Flow& flow : flows)
+    for (const Pace& pace : paces)
         for (unsigned seed = 11; seed <= 13; ++seed)
-            check_lockstep<BoxUnit>(config, {}, flow, seed, 2000,
+            check_lockstep<BoxUnit>(config, {}, pace, seed, 2000,
                                     [&](Draw& draw) { return random_req(draw, config); });
 }
 
@@ -48,26 +48,26 @@ void same_moves(const Config& config) {
 TEMPLATE_TEST_CASE("box loses no child that the ray meets and keeps few others", "[box]", Model<BoxUnit>,
                    Rtl<BoxUnit>) {
     const auto name = GENERATE("default", "small", "narrow", "wide");
-    for (unsigned seed = 1; seed <= 4; ++seed) against_oracle<TestType>(name, seed, flows[seed - 1], 1500);
+    for (unsigned seed = 1; seed <= 4; ++seed) against_oracle<TestType>(name, seed, paces[seed - 1], 1500);
 }
 
 TEMPLATE_TEST_CASE("box loses no child that the ray meets, many draws", "[box][slow]", Model<BoxUnit>,
                    Rtl<BoxUnit>) {
     const auto name = GENERATE("default", "small", "narrow", "wide");
     for (unsigned seed = 101; seed <= 110; ++seed)
-        against_oracle<TestType>(name, seed, flows[seed % 4], 2000);
+        against_oracle<TestType>(name, seed, paces[seed % 4], 2000);
 }
 
 TEMPLATE_TEST_CASE("box loses no child that a bounce or a shadow ray meets and keeps few others",
                    "[box][shading]", Model<BoxUnit>, Rtl<BoxUnit>) {
     const auto name = GENERATE("shading:default", "shading:narrow");
-    for (unsigned seed = 1; seed <= 4; ++seed) against_oracle<TestType>(name, seed, flows[seed - 1], 1500);
+    for (unsigned seed = 1; seed <= 4; ++seed) against_oracle<TestType>(name, seed, paces[seed - 1], 1500);
 }
 
 TEMPLATE_TEST_CASE("box loses no child that a bounce or a shadow ray meets, other formats",
                    "[box][shading][slow]", Model<BoxUnit>, Rtl<BoxUnit>) {
     const auto name = GENERATE("shading:small", "shading:wide", "shading:coarse");
-    for (unsigned seed = 1; seed <= 4; ++seed) against_oracle<TestType>(name, seed, flows[seed - 1], 1500);
+    for (unsigned seed = 1; seed <= 4; ++seed) against_oracle<TestType>(name, seed, paces[seed - 1], 1500);
 }
 
 TEST_CASE("box is right for every pair of planes of one axis", "[box]") {
@@ -138,32 +138,32 @@ TEMPLATE_TEST_CASE("box accepts a node in every cycle, or every few", "[box]", M
     check_throughput(dut, config, [&](Draw& draw) { return random_req(draw, config); });
 }
 
-TEST_CASE("model and rtl of box make the same moves in every cycle", "[box][lockstep]") {
+TEST_CASE("model and RTL of box make the same moves in every cycle", "[box][lockstep]") {
     same_moves(format(GENERATE("default", "small", "narrow", "wide")));
 }
 
-TEST_CASE("model and rtl of a fast box make the same moves in every cycle", "[box][lockstep][fast]") {
+TEST_CASE("model and RTL of a fast box make the same moves in every cycle", "[box][lockstep][fast]") {
     same_moves(format(GENERATE("fast:default", "fast:small", "fast:shading:narrow")));
 }
 
-TEST_CASE("model and rtl of a box of few lanes make the same moves in every cycle",
+TEST_CASE("model and RTL of a box of few lanes make the same moves in every cycle",
           "[box][lockstep][lanes]") {
     same_moves(format(GENERATE("lanes2:default", "lanes1:fast:default")));
 }
 
-TEST_CASE("model and rtl of a box of few lanes make the same moves in every format",
+TEST_CASE("model and RTL of a box of few lanes make the same moves in every format",
           "[box][lockstep][lanes][slow]") {
     same_moves(format(GENERATE("lanes1:default", "lanes4:default", "lanes4:fast:default",
                                "lanes2:fast:default", "lanes1:small", "lanes2:fast:small", "lanes2:wide",
                                "lanes1:shading:narrow", "lanes2:fast:shading:default")));
 }
 
-TEST_CASE("model and rtl of box make the same moves in every cycle with bounces and shadow rays",
+TEST_CASE("model and RTL of box make the same moves in every cycle with bounces and shadow rays",
           "[box][lockstep][shading]") {
     same_moves(format(GENERATE("shading:default", "shading:narrow")));
 }
 
-TEST_CASE("model and rtl of box make the same moves with bounces and shadow rays, other formats",
+TEST_CASE("model and RTL of box make the same moves with bounces and shadow rays, other formats",
           "[box][lockstep][shading][slow]") {
     same_moves(format(GENERATE("shading:small", "shading:wide", "shading:coarse")));
 }

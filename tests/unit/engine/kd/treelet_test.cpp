@@ -47,20 +47,20 @@ TEST_CASE("treelet is right for every plane and origin of one axis, on planes an
                 }
 }
 
-TEST_CASE("model and rtl of treelet make the same moves in every cycle", "[treelet][lockstep]") {
+TEST_CASE("model and RTL of treelet make the same moves in every cycle", "[treelet][lockstep]") {
     check_moves<TreeletUnit>(kd_format(GENERATE("default", "shading:narrow")), {11, 12}, random_treelet_case);
 }
 
-TEST_CASE("model and rtl of a fast treelet make the same moves in every cycle", "[treelet][lockstep][fast]") {
+TEST_CASE("model and RTL of a fast treelet make the same moves in every cycle", "[treelet][lockstep][fast]") {
     check_moves<TreeletUnit>(kd_format("fast:default"), {11}, random_treelet_case);
 }
 
 TEST_CASE("treelet is right at both ends of every width", "[treelet]") {
-    check_answers<TreeletUnit>(kd_format(GENERATE("default", "shading:narrow", "broad")),
+    check_answers<TreeletUnit>(kd_format(GENERATE("default", "shading:narrow", "wide")),
                                treelet_case_at_ends);
 }
 
-TEST_CASE("model and rtl of treelet make the same moves at both ends of every width", "[treelet][lockstep]") {
+TEST_CASE("model and RTL of treelet make the same moves at both ends of every width", "[treelet][lockstep]") {
     check_moves_at_ends<TreeletUnit>(kd_format(GENERATE("default", "shading:narrow", "fast:default")),
                                      treelet_case_at_ends);
 }

@@ -31,8 +31,8 @@ TEMPLATE_TEST_CASE("globe loses no child that the ray meets and keeps few others
 }
 
 TEST_CASE("globe is right in every format", "[globe]") {
-    const std::string name = GENERATE(as<std::string>{}, "small", "narrow", "broad", "coarse",
-                                      "sheared:small", "shading:default", "shading:small");
+    const std::string name = GENERATE(as<std::string>{}, "small", "narrow", "wide", "coarse", "sheared:small",
+                                      "shading:default", "shading:small");
     INFO(name);
     const Config config = globe_format(name);
     Draw draw{5};
@@ -97,16 +97,16 @@ TEST_CASE("globe's tables are on their side, and near", "[globe]") {
     }
 }
 
-TEST_CASE("model and rtl of globe make the same moves in every cycle", "[globe][lockstep]") {
+TEST_CASE("model and RTL of globe make the same moves in every cycle", "[globe][lockstep]") {
     check_moves<GlobeUnit>(globe_format(GENERATE("default", "shading:narrow")), {11, 12}, random_globe_case);
 }
 
-TEST_CASE("model and rtl of a fast globe make the same moves in every cycle", "[globe][lockstep][fast]") {
+TEST_CASE("model and RTL of a fast globe make the same moves in every cycle", "[globe][lockstep][fast]") {
     check_moves<GlobeUnit>(globe_format("fast:default"), {11}, random_globe_case);
 }
 
 TEST_CASE("globe is right at both ends of every width", "[globe]") {
-    const std::string name = GENERATE(as<std::string>{}, "default", "shading:narrow", "broad");
+    const std::string name = GENERATE(as<std::string>{}, "default", "shading:narrow", "wide");
     INFO(name);
     const Config config = globe_format(name);
     Draw draw{7};
@@ -117,7 +117,7 @@ TEST_CASE("globe is right at both ends of every width", "[globe]") {
     }
 }
 
-TEST_CASE("model and rtl of globe make the same moves at both ends of every width", "[globe][lockstep]") {
+TEST_CASE("model and RTL of globe make the same moves at both ends of every width", "[globe][lockstep]") {
     check_moves_at_ends<GlobeUnit>(globe_format(GENERATE("default", "shading:narrow", "fast:default")),
                                    globe_case_at_ends);
 }

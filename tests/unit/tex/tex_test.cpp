@@ -32,14 +32,14 @@ TEMPLATE_TEST_CASE("tex finds and filters the texels of every hit exactly", "[te
     std::array<std::size_t, 3> codes{};
     std::array<std::vector<bool>, 3> seen{std::vector<bool>(256), std::vector<bool>(256),
                                           std::vector<bool>(256)};
-    for (unsigned number = 0; number < flows.size(); ++number) {
-        const Flow& flow = flows[number];
+    for (unsigned number = 0; number < paces.size(); ++number) {
+        const Pace& pace = paces[number];
         const Frame frame = tex_frame(number);
         TestType dut{config, frame, int(run.seed)};
-        TexWorld world{config, frame, run.seed + number, flow.idle_percent, flow.stall_percent};
+        TexWorld world{config, frame, run.seed + number, pace.idle_percent, pace.stall_percent};
         TexJudge judge{config, frame};
         for (int cycle = 0; world.answered < run.hits; ++cycle) {
-            INFO(run.config << ", " << flow.name << ", cycle " << cycle << ", hit " << world.answered);
+            INFO(run.config << ", " << pace.name << ", cycle " << cycle << ", hit " << world.answered);
             REQUIRE(cycle < 60 * run.hits);
             world.drive(dut);
             dut.eval();
@@ -71,14 +71,14 @@ TEMPLATE_TEST_CASE("tex finds and filters the texels of every hit exactly", "[te
 TEST_CASE("model and RTL of tex do the same in every cycle", "[tex][lockstep]") {
     const Run run = GENERATE(from_range(runs));
     const Config config = tex_config(run.config);
-    for (unsigned number = 0; number < flows.size(); ++number) {
-        const Flow& flow = flows[number];
+    for (unsigned number = 0; number < paces.size(); ++number) {
+        const Pace& pace = paces[number];
         const Frame frame = tex_frame(number + 1);
         TexModel model{config, frame};
         TexRtl rtl{config, frame, int(run.seed) + 5};
-        TexWorld world{config, frame, run.seed + 20 + number, flow.idle_percent, flow.stall_percent};
+        TexWorld world{config, frame, run.seed + 20 + number, pace.idle_percent, pace.stall_percent};
         for (int cycle = 0; cycle < 3000; ++cycle) {
-            INFO(run.config << ", " << flow.name << ", cycle " << cycle << ", hit " << world.answered);
+            INFO(run.config << ", " << pace.name << ", cycle " << cycle << ", hit " << world.answered);
             world.drive(model);
             static_cast<TexLinks&>(rtl) = model;
             model.eval();
@@ -130,7 +130,7 @@ TEST_CASE("a part's numbers share the logarithm of its middle, within its bound"
     CHECK((low < -0.02 && high > 0.02));
 }
 
-TEST_CASE("in the rtl all numbers of a part have the logarithm of its middle", "[tex][log][rtl]") {
+TEST_CASE("in the RTL all numbers of a part have the logarithm of its middle", "[tex][log][rtl]") {
     RtlModule rtl(tex_config("rgb888"), "rc_log");
     for (std::uint32_t x = 0; x < 1u << 16; ++x) {
         std::memcpy(rtl.port("x").data, &x, rtl.port("x").bytes);

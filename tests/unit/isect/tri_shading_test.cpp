@@ -26,13 +26,13 @@ struct Tally {
     }
 };
 
-template <class Dut> void against_oracle(const Config& config, unsigned seed, const Flow& flow, int count) {
+template <class Dut> void against_oracle(const Config& config, unsigned seed, const Pace& pace, int count) {
     INFO(config.name << ", seed " << seed);
     Draw draw{seed};
     Dut dut{config, Frame{}, int(seed)};
     Tally tally;
     stream(
-        dut, config, flow, draw, count, [&](Draw& from) { return random_any_req(from, config); },
+        dut, config, pace, draw, count, [&](Draw& from) { return random_any_req(from, config); },
         [&](const TriReq& req, const TriRsp& rsp) {
             CAPTURE(req.kind, req.triangle.kind);
             judge_any(req, rsp, config);
@@ -127,9 +127,9 @@ template <class Dut> void require_exact_at_extremes(const Config& config) {
 }
 
 void same_moves(const Config& config) {
-    for (const Flow& flow : flows)
+    for (const Pace& pace : paces)
         for (unsigned seed = 11; seed <= 12; ++seed)
-            check_lockstep<TriUnit>(config, {}, flow, seed, 1500 * config.tri_interval,
+            check_lockstep<TriUnit>(config, {}, pace, seed, 1500 * config.tri_interval,
                                     [&](Draw& draw) { return random_any_req(draw, config); });
 }
 
@@ -138,14 +138,14 @@ void same_moves(const Config& config) {
 TEMPLATE_TEST_CASE("tri of a chip that shades decides exactly and measures within its bound", "[tri][any]",
                    Model<TriUnit>, Rtl<TriUnit>) {
     const Config config = any_part(GENERATE(from_range(parts_of<TestType>())));
-    for (unsigned seed = 1; seed <= 2; ++seed) against_oracle<TestType>(config, seed, flows[seed % 4], 3000);
+    for (unsigned seed = 1; seed <= 2; ++seed) against_oracle<TestType>(config, seed, paces[seed % 4], 3000);
 }
 
 TEMPLATE_TEST_CASE("tri of a chip that shades decides exactly, many draws", "[tri][any][slow]",
                    Model<TriUnit>, Rtl<TriUnit>) {
     const Config config = any_part(GENERATE(range(0, 10)));
     for (unsigned seed = 101; seed <= 112; ++seed)
-        against_oracle<TestType>(config, seed, flows[seed % 4], 6000);
+        against_oracle<TestType>(config, seed, paces[seed % 4], 6000);
 }
 
 TEMPLATE_TEST_CASE("tri of a chip that shades is exact at the ends of every width", "[tri][any]",
@@ -225,7 +225,7 @@ TEMPLATE_TEST_CASE("tri of a chip that shades accepts a primitive in every cycle
     check_throughput(dut, config, [&](Draw& draw) { return random_any_req(draw, config); });
 }
 
-TEST_CASE("model and rtl of tri of a chip that shades make the same moves in every cycle",
+TEST_CASE("model and RTL of tri of a chip that shades make the same moves in every cycle",
           "[tri][any][lockstep]") {
     same_moves(any_part(GENERATE(from_range(quick_parts))));
 }
@@ -237,22 +237,22 @@ TEMPLATE_TEST_CASE("fast tri of a chip that shades answers after exactly its lat
     check_latency(dut, config, [&](Draw& draw) { return random_any_req(draw, config); });
 }
 
-TEST_CASE("model and rtl of a fast tri of a chip that shades make the same moves in every cycle",
+TEST_CASE("model and RTL of a fast tri of a chip that shades make the same moves in every cycle",
           "[tri][any][lockstep][fast]") {
     same_moves(fast_part(GENERATE(0, 2, 8)));
 }
 
-TEST_CASE("model and rtl of tri of a chip that shades make the same moves with every format",
+TEST_CASE("model and RTL of tri of a chip that shades make the same moves with every format",
           "[tri][any][lockstep][slow]") {
     same_moves(any_part(GENERATE(from_range(all_parts))));
 }
 
-TEST_CASE("model and rtl of a tri that shades and shares multipliers make the same moves in every cycle",
+TEST_CASE("model and RTL of a tri that shades and shares multipliers make the same moves in every cycle",
           "[tri][any][lockstep][interval]") {
     same_moves(GENERATE(shared(fast_part(0), 4), shared(any_part(8), 2)));
 }
 
-TEST_CASE("model and rtl of a tri that shades and shares multipliers make the same moves in every format",
+TEST_CASE("model and RTL of a tri that shades and shares multipliers make the same moves in every format",
           "[tri][any][lockstep][interval][slow]") {
     const int interval = GENERATE(2, 4), which = GENERATE(0, 1, 2, 3, 4, 7, 8);
     same_moves(shared(any_part(which), interval));
@@ -261,5 +261,5 @@ TEST_CASE("model and rtl of a tri that shades and shares multipliers make the sa
 
 TEST_CASE("a fast tri that shades and shares multipliers decides exactly and measures within its bound",
           "[tri][any][interval]") {
-    against_oracle<Rtl<TriUnit>>(shared(fast_part(0), 4), 102, flows[2], 6000);
+    against_oracle<Rtl<TriUnit>>(shared(fast_part(0), 4), 102, paces[2], 6000);
 }

@@ -7,8 +7,9 @@
 #include "tests/support/cases/any_cases.hpp"
 #include "tests/support/cases/small.hpp"
 
+namespace rayclock::test::tri_shading_small_test {
+
 using namespace rayclock;
-using namespace rayclock::test;
 
 namespace {
 
@@ -202,3 +203,5 @@ TEST_CASE("model of tri is right for every secondary ray and sphere of 64 points
             REQUIRE(count.met > 1000000);
         }
 }
+
+}   // namespace rayclock::test::tri_shading_small_test

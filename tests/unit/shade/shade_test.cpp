@@ -51,7 +51,7 @@ void check(const char* format, int contexts, int queue, int cycles) {
     const Config c = shape(format, contexts, queue);
     int pixels = 0, shadows = 0, bounces = 0, samples = 0, closed = 0, textures = 0, cutouts = 0;
     unsigned seed = 1;
-    for (const auto& [name, idle, stall] : flows) {
+    for (const auto& [name, idle, stall] : paces) {
         Draw draw{seed};
         Frame frame = random_shade_frame(draw, c);
         frame.shade.first_surface_line = std::uint32_t(draw.bits(c.addr_bits));
@@ -83,18 +83,18 @@ template <class Dut> void step(Dut& dut) {
 
 }   // namespace
 
-TEST_CASE("model and rtl of shade make the same moves in every cycle", "[shade][lockstep][all]") {
+TEST_CASE("model and RTL of shade make the same moves in every cycle", "[shade][lockstep][all]") {
     check("all", 64, 64, 3000);
 }
 
 TEST_CASE(
-    "model and rtl of shade make the same moves with a short queue, and without units that are not needed",
+    "model and RTL of shade make the same moves with a short queue, and without units that are not needed",
     "[shade][lockstep]") {
     check("all", 8, 4, 3000);
     check("plain", 64, 64, 3000);
 }
 
-TEST_CASE("model and rtl of shade make the same moves with a pass every few cycles",
+TEST_CASE("model and RTL of shade make the same moves with a pass every few cycles",
           "[shade][lockstep][interval]") {
     check("every4:all", 64, 8, 6000);
     check("every4:plain", 64, 64, 6000);
@@ -102,13 +102,13 @@ TEST_CASE("model and rtl of shade make the same moves with a pass every few cycl
     check("every8:fast:all", 64, 64, 6000);
 }
 
-TEST_CASE("model and rtl of shade make the same moves with textures", "[shade][lockstep][textures]") {
+TEST_CASE("model and RTL of shade make the same moves with textures", "[shade][lockstep][textures]") {
     check("textured:all", 64, 64, 3000);
     check("textured:all", 8, 4, 3000);
     check("textured:every4:fast:plain", 64, 8, 6000);
 }
 
-TEST_CASE("model and rtl of shade make the same moves in every cycle, for long", "[shade][lockstep][slow]") {
+TEST_CASE("model and RTL of shade make the same moves in every cycle, for long", "[shade][lockstep][slow]") {
     const auto format = GENERATE("all", "plain", "mirror", "narrow", "broad", "short", "every8:fast:all",
                                  "every4:all", "every2:plain");
     check(format, 64, 64, 40000);

@@ -85,7 +85,7 @@ TEST_CASE("a unit vector does not depend on the scale, if nothing is cut", "[uni
     REQUIRE(unit_vector({0, -(std::int64_t(1) << 62), 0}) == Vec3i{0, -65536, 0});
 }
 
-TEST_CASE("the rtl's unit vector is the model's, after exactly its latency, one in a cycle",
+TEST_CASE("the RTL's unit vector is the model's, after exactly its latency, one in a cycle",
           "[unit_vector][lockstep]") {
     for (const bool idle : {false, true})
         for (unsigned seed = 11; seed <= 13; ++seed)

@@ -56,12 +56,12 @@ TEMPLATE_TEST_CASE("every request is answered once with what lies in memory", "[
         [](const Config& config) { check_random<TestType>(config, is_model<TestType> ? 5 : 2, 1500); });
 }
 
-TEMPLATE_TEST_CASE("model and rtl of a cache do the same in every cycle", "[cache][lockstep]", NodeCache,
+TEMPLATE_TEST_CASE("model and RTL of a cache do the same in every cycle", "[cache][lockstep]", NodeCache,
                    PrimCache, SharedCache) {
     for (const std::string& name : quick_shapes<TestType>()) lockstep<TestType>(cache_config(name), 3, 2500);
 }
 
-TEMPLATE_TEST_CASE("model and rtl of a fast cache do the same in every cycle", "[cache][lockstep][fast]",
+TEMPLATE_TEST_CASE("model and RTL of a fast cache do the same in every cycle", "[cache][lockstep][fast]",
                    NodeCache, PrimCache, SharedCache) {
     Config config = cache_config("four");
     config.timing = Timing::fast;
@@ -86,7 +86,7 @@ TEMPLATE_TEST_CASE("caches of other shapes keep their rules", "[cache][slow]", A
     }
 }
 
-TEMPLATE_TEST_CASE("model and rtl of caches of other shapes do the same in every cycle",
+TEMPLATE_TEST_CASE("model and RTL of caches of other shapes do the same in every cycle",
                    "[cache][lockstep][slow]", NodeCache, PrimCache, SharedCache) {
     for (const std::string& name : other_shapes<TestType>()) lockstep<TestType>(cache_config(name), 5, 5000);
 }

@@ -26,7 +26,7 @@ Config pipelines(const std::string& number) {
 
 }   // namespace
 
-TEST_CASE("the units' rtl is built", "[.build]") {
+TEST_CASE("the units' RTL is built", "[.build]") {
     struct Job {
         const char *module, *format;
         Config (*config)(const std::string&) = test::format;
@@ -87,7 +87,7 @@ TEST_CASE("the units' rtl is built", "[.build]") {
     SUCCEED("all are there");
 }
 
-TEST_CASE("the rtl of the smallest shapes builds without a warning", "[rtl][slow]") {
+TEST_CASE("the RTL of the smallest shapes builds without a warning", "[rtl][slow]") {
     Config config;
     config.leaf_size = 6;
     config.contexts = GENERATE(1, 2);
@@ -99,7 +99,7 @@ TEST_CASE("the rtl of the smallest shapes builds without a warning", "[rtl][slow
     REQUIRE_NOTHROW(build_rtl(config));
 }
 
-TEST_CASE("the rtl of the most contexts builds without a warning", "[rtl][slow]") {
+TEST_CASE("the RTL of the most contexts builds without a warning", "[rtl][slow]") {
     Config config = test::format("small");
     config.contexts = 1024;
     const char* const module = GENERATE("rc_sched", "rc_trav", "rc_list");

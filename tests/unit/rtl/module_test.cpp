@@ -28,7 +28,7 @@ bool misuse(SchedRtl& dut, int times) {
 
 }   // namespace
 
-TEST_CASE("an assertion of the rtl is heard by the module it belongs to", "[rtl]") {
+TEST_CASE("an assertion of the RTL is heard by the module it belongs to", "[rtl]") {
     Frame frame;
     frame.width = frame.height = 4;
     const Config config = format("default");
@@ -43,7 +43,7 @@ TEST_CASE("an assertion of the rtl is heard by the module it belongs to", "[rtl]
     REQUIRE(heard);
 }
 
-TEST_CASE("rtl modules can be closed in any order", "[rtl]") {
+TEST_CASE("RTL modules can be closed in any order", "[rtl]") {
     Frame frame;
     frame.width = frame.height = 4;
     const Config config = format("default");

@@ -81,7 +81,7 @@ TEST_CASE("a negative number too wide for its field is cut to it", "[layout]") {
     REQUIRE(unpack<PrimReq>(pack(req, config).data(), config).addr == 5);
 }
 
-TEST_CASE("widths of the default format", "[layout]") {
+TEST_CASE("payloads of the default format have the widths that its parameters give", "[layout]") {
     const Config config = format("default");
     CHECK(bits_of<Slot>(config) == 6 + 14 + 14);
     CHECK(bits_of<Ray>(config) == 6 + 3 * 18 + 3 * 20 + 3 * 17 + 3 * 5);

@@ -142,7 +142,7 @@ TEMPLATE_TEST_CASE("dispatch reaches the last tile of the largest picture", "[di
     REQUIRE(dut.fires == 0);
 }
 
-TEST_CASE("model and rtl of dispatch give the same tile in every cycle", "[dispatch][lockstep]") {
+TEST_CASE("model and RTL of dispatch give the same tile in every cycle", "[dispatch][lockstep]") {
     const Config config = machine_of(GENERATE(1, 2, 8), 3);
     for (unsigned seed = 11; seed <= 20; ++seed) {
         DispatchModel model{config};

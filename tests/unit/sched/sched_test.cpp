@@ -25,11 +25,11 @@ Config tiled(int tile_bits) {
 constexpr std::pair<int, int> sizes[] = {{1, 1}, {1, 9}, {64, 1}, {13, 5}, {40, 17}};
 
 template <class Dut>
-void give_pixels(const Config& config, const Frame& frame, unsigned seed, const Flow& flow) {
+void give_pixels(const Config& config, const Frame& frame, unsigned seed, const Pace& pace) {
     INFO(config.name << ", " << config.contexts << " contexts, " << frame.width << " x " << frame.height
-                     << ", " << flow.name << ", seed " << seed);
+                     << ", " << pace.name << ", seed " << seed);
     Dut dut{frame, config, int(seed)};
-    SchedWorld world{frame, config, seed, flow};
+    SchedWorld world{frame, config, seed, pace};
     for (int cycle = 0; !world.finished(); ++cycle) {
         INFO("cycle " << cycle);
         REQUIRE(cycle < 100000);
@@ -47,12 +47,12 @@ void give_pixels(const Config& config, const Frame& frame, unsigned seed, const 
     }
 }
 
-void lockstep(const Config& config, const Frame& frame, unsigned seed, const Flow& flow) {
+void lockstep(const Config& config, const Frame& frame, unsigned seed, const Pace& pace) {
     SchedModel model{frame, config};
     SchedRtl rtl{frame, config, int(seed)};
-    SchedWorld world{frame, config, seed, flow};
+    SchedWorld world{frame, config, seed, pace};
     for (int cycle = 0; !world.finished(); ++cycle) {
-        INFO(config.name << ", " << frame.width << " x " << frame.height << ", " << flow.name << ", seed "
+        INFO(config.name << ", " << frame.width << " x " << frame.height << ", " << pace.name << ", seed "
                          << seed << ", cycle " << cycle);
         REQUIRE(cycle < 100000);
         world.drive(model);
@@ -99,9 +99,9 @@ TEMPLATE_TEST_CASE("sched gives a tile's pixels in Morton order to the context l
                    SchedModel, SchedRtl) {
     for (const int tile_bits : {0, 3})
         for (const auto& [width, height] : sizes)
-            for (const Flow& flow : flows)
+            for (const Pace& pace : paces)
                 for (unsigned seed = 1; seed <= 3; ++seed)
-                    give_pixels<TestType>(tiled(tile_bits), frame_of(width, height), seed, flow);
+                    give_pixels<TestType>(tiled(tile_bits), frame_of(width, height), seed, pace);
 }
 
 TEMPLATE_TEST_CASE("sched gives pixels with few contexts, and with one, in tiles of every size",
@@ -109,9 +109,9 @@ TEMPLATE_TEST_CASE("sched gives pixels with few contexts, and with one, in tiles
     Config config = tiled(GENERATE(1, 2, 6));
     config.contexts = GENERATE(1, 2, 16);
     for (const auto& [width, height] : sizes)
-        for (const Flow& flow : flows)
+        for (const Pace& pace : paces)
             for (unsigned seed = 6; seed <= 7; ++seed)
-                give_pixels<TestType>(config, frame_of(width, height), seed, flow);
+                give_pixels<TestType>(config, frame_of(width, height), seed, pace);
 }
 
 TEMPLATE_TEST_CASE("sched gives a pixel in every cycle, as long as contexts are free", "[sched]", SchedModel,
@@ -229,21 +229,21 @@ TEMPLATE_TEST_CASE("sched reaches every pixel of the largest picture's rows", "[
 TEMPLATE_TEST_CASE("sched gives out the colours of finished pixels", "[sched][shading]", SchedModel,
                    SchedRtl) {
     for (const auto& [width, height] : sizes)
-        for (const Flow& flow : flows)
-            give_pixels<TestType>(format("shading:default"), frame_of(width, height), 1, flow);
+        for (const Pace& pace : paces)
+            give_pixels<TestType>(format("shading:default"), frame_of(width, height), 1, pace);
 }
 
-TEST_CASE("model and rtl of sched make the same moves in every cycle, with colours",
+TEST_CASE("model and RTL of sched make the same moves in every cycle, with colours",
           "[sched][lockstep][shading]") {
-    for (const Flow& flow : flows) lockstep(format("samples:small"), frame_of(40, 17), 11, flow);
+    for (const Pace& pace : paces) lockstep(format("samples:small"), frame_of(40, 17), 11, pace);
 }
 
-TEST_CASE("model and rtl of sched make the same moves in every cycle", "[sched][lockstep]") {
+TEST_CASE("model and RTL of sched make the same moves in every cycle", "[sched][lockstep]") {
     for (const int tile_bits : {0, 3})
         for (const auto& [width, height] : sizes)
-            for (const Flow& flow : flows)
+            for (const Pace& pace : paces)
                 for (unsigned seed = 11; seed <= 13; ++seed)
-                    lockstep(tiled(tile_bits), frame_of(width, height), seed, flow);
+                    lockstep(tiled(tile_bits), frame_of(width, height), seed, pace);
 }
 
 }   // namespace rayclock::test::sched_test

@@ -8,14 +8,14 @@ using namespace rayclock::test;
 
 namespace {
 
-template <class Dut> void against_oracle(const char* name, unsigned seed, const Flow& flow, int count) {
+template <class Dut> void against_oracle(const char* name, unsigned seed, const Pace& pace, int count) {
     const Config config = format(name);
     INFO(name << ", seed " << seed);
     Draw draw{seed};
     Dut dut{config, Frame{}, int(seed)};
     int hits = 0;
     stream(
-        dut, config, flow, draw, count, [&](Draw& from) { return random_tri_req(from, config); },
+        dut, config, pace, draw, count, [&](Draw& from) { return random_tri_req(from, config); },
         [&](const TriReq& req, const TriRsp& rsp) {
             judge(req, rsp, config);
             hits += rsp.closer != 0;
@@ -33,14 +33,14 @@ Vec3i extreme(int which, int bits) {
 
 TEMPLATE_TEST_CASE("tri decides and measures exactly", "[tri]", Model<TriUnit>, Rtl<TriUnit>) {
     const auto name = GENERATE("default", "small", "narrow", "wide");
-    for (unsigned seed = 1; seed <= 4; ++seed) against_oracle<TestType>(name, seed, flows[seed - 1], 1500);
+    for (unsigned seed = 1; seed <= 4; ++seed) against_oracle<TestType>(name, seed, paces[seed - 1], 1500);
 }
 
 TEMPLATE_TEST_CASE("tri decides and measures exactly, many draws", "[tri][slow]", Model<TriUnit>,
                    Rtl<TriUnit>) {
     const auto name = GENERATE("default", "small", "narrow", "wide");
     for (unsigned seed = 101; seed <= 110; ++seed)
-        against_oracle<TestType>(name, seed, flows[seed % 4], 4000);
+        against_oracle<TestType>(name, seed, paces[seed % 4], 4000);
 }
 
 TEMPLATE_TEST_CASE("tri is exact at the corners of the lattice", "[tri]", Model<TriUnit>, Rtl<TriUnit>) {
@@ -64,7 +64,7 @@ TEMPLATE_TEST_CASE("tri is exact at the corners of the lattice", "[tri]", Model<
     for (std::size_t i = 0; i < rsps.size(); ++i) judge(requests[i], rsps[i], config);
 }
 
-TEST_CASE("model and rtl of the sheared tri are equal at the corners of the lattice",
+TEST_CASE("model and RTL of the sheared tri are equal at the corners of the lattice",
           "[tri][lockstep][sheared]") {
     const Config config = format(GENERATE("sheared:default", "sheared:wide"));
     std::vector<TriReq> requests;
@@ -153,48 +153,48 @@ TEMPLATE_TEST_CASE("tri accepts a triangle in every cycle, or every few", "[tri]
     check_throughput(dut, config, [&](Draw& draw) { return random_tri_req(draw, config); });
 }
 
-TEST_CASE("model and rtl of tri make the same moves in every cycle", "[tri][lockstep]") {
+TEST_CASE("model and RTL of tri make the same moves in every cycle", "[tri][lockstep]") {
     const Config config = format(GENERATE("default", "small", "narrow", "wide"));
-    for (const Flow& flow : flows)
+    for (const Pace& pace : paces)
         for (unsigned seed = 11; seed <= 13; ++seed)
-            check_lockstep<TriUnit>(config, {}, flow, seed, 1500,
+            check_lockstep<TriUnit>(config, {}, pace, seed, 1500,
                                     [&](Draw& draw) { return random_tri_req(draw, config); });
 }
 
-TEST_CASE("model and rtl of a fast tri make the same moves in every cycle", "[tri][lockstep][fast]") {
+TEST_CASE("model and RTL of a fast tri make the same moves in every cycle", "[tri][lockstep][fast]") {
     const Config config =
         format(GENERATE("fast:default", "fast:small", "fast:narrow", "fast:wide", "fast:sheared:default"));
-    for (const Flow& flow : flows)
+    for (const Pace& pace : paces)
         for (unsigned seed = 11; seed <= 13; ++seed)
-            check_lockstep<TriUnit>(config, {}, flow, seed, 1500,
+            check_lockstep<TriUnit>(config, {}, pace, seed, 1500,
                                     [&](Draw& draw) { return random_tri_req(draw, config); });
 }
 
-TEST_CASE("model and rtl of a tri that shares multipliers make the same moves in every cycle",
+TEST_CASE("model and RTL of a tri that shares multipliers make the same moves in every cycle",
           "[tri][lockstep][interval]") {
     const Config config = format(GENERATE("every2:default", "every4:fast:default"));
-    for (const Flow& flow : flows)
-        check_lockstep<TriUnit>(config, {}, flow, 17, 1500 * config.tri_interval,
+    for (const Pace& pace : paces)
+        check_lockstep<TriUnit>(config, {}, pace, 17, 1500 * config.tri_interval,
                                 [&](Draw& draw) { return random_tri_req(draw, config); });
 }
 
-TEST_CASE("model and rtl of a tri that shares multipliers make the same moves in every format",
+TEST_CASE("model and RTL of a tri that shares multipliers make the same moves in every format",
           "[tri][lockstep][interval][slow]") {
     const Config config =
         format(GENERATE("every4:default", "every2:fast:default", "every2:fast:small", "every4:fast:small",
                         "every2:narrow", "every4:narrow", "every4:fast:narrow", "every2:wide", "every4:wide",
                         "every4:fast:wide", "every2:sheared:default", "every4:fast:sheared:default"));
-    for (const Flow& flow : flows)
-        check_lockstep<TriUnit>(config, {}, flow, 17, 1500 * config.tri_interval,
+    for (const Pace& pace : paces)
+        check_lockstep<TriUnit>(config, {}, pace, 17, 1500 * config.tri_interval,
                                 [&](Draw& draw) { return random_tri_req(draw, config); });
 }
 
-TEST_CASE("model and rtl of the sheared tri make the same moves in every cycle", "[tri][lockstep][sheared]") {
+TEST_CASE("model and RTL of the sheared tri make the same moves in every cycle", "[tri][lockstep][sheared]") {
     const Config config =
         format(GENERATE("sheared:default", "sheared:small", "sheared:narrow", "sheared:wide"));
-    for (const Flow& flow : flows)
+    for (const Pace& pace : paces)
         for (unsigned seed = 11; seed <= 13; ++seed)
-            check_lockstep<TriUnit>(config, {}, flow, seed, 1500,
+            check_lockstep<TriUnit>(config, {}, pace, seed, 1500,
                                     [&](Draw& draw) { return random_tri_req(draw, config); });
 }
 

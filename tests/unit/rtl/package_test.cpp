@@ -13,7 +13,7 @@
 
 using namespace rayclock;
 
-TEST_CASE("generated_package_is_current", "[package]") {
+TEST_CASE("the generated package is current", "[package]") {
     std::ifstream file(rtl_sources() / "rc_pkg.sv");
     std::ostringstream text;
     text << file.rdbuf();

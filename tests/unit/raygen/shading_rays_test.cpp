@@ -6,7 +6,7 @@
 #include "tests/support/dut/raygen_dut.hpp"
 #include "tests/support/world/traffic.hpp"
 
-namespace rayclock::test::spawn_test {
+namespace rayclock::test::shading_rays_test {
 
 using namespace rayclock;
 using namespace rayclock::test;
@@ -114,8 +114,8 @@ void judge(const Spawn& spawn, const Ray& ray, const Frame& frame, const Config&
 
 /// Sends rays of shade and new pixels, each in order. A new pixel is the first sample's camera ray.
 template <class Dut>
-void make_rays(const Config& config, const Frame& frame, unsigned seed, const Flow& flow, int count) {
-    INFO(config.name << ", " << flow.name << ", seed " << seed << ", " << frame.shade.side
+void make_rays(const Config& config, const Frame& frame, unsigned seed, const Pace& pace, int count) {
+    INFO(config.name << ", " << pace.name << ", seed " << seed << ", " << frame.shade.side
                      << " samples a side");
     Dut dut{frame, config, int(seed)};
     Draw draw{seed};
@@ -124,13 +124,13 @@ void make_rays(const Config& config, const Frame& frame, unsigned seed, const Fl
     int made = 0, pixels = 0;
     for (int cycle = 0; made < count; ++cycle) {
         REQUIRE(cycle < 20 * count + 1000);
-        if (!dut.spawn.offer && draw.percent(70) && !draw.percent(flow.idle_percent))
+        if (!dut.spawn.offer && draw.percent(70) && !draw.percent(pace.idle_percent))
             dut.spawn.offer = random_spawn(draw, frame, config);
         if (!dut.slot.offer && draw.percent(40)) {
             const Spawn pixel = random_spawn(draw, frame, config);
             dut.slot.offer = Slot{pixel.ray, pixel.x, pixel.y};
         }
-        dut.ray.ready = !draw.percent(flow.stall_percent);
+        dut.ray.ready = !draw.percent(pace.stall_percent);
         dut.eval();
         steady.check(dut.ray);
         REQUIRE_FALSE((dut.spawn.fires() && dut.slot.fires()));
@@ -156,7 +156,7 @@ void make_rays(const Config& config, const Frame& frame, unsigned seed, const Fl
 }
 
 void same_moves(const Config& config) {
-    for (const Flow& flow : flows)
+    for (const Pace& pace : paces)
         for (unsigned seed = 11; seed <= 13; ++seed) {
             const Frame frame =
                 frame_of(seed, config, config.supersampling ? int(seed % 8) + 1 : 1, seed % 2 == 0);
@@ -165,14 +165,14 @@ void same_moves(const Config& config) {
             Draw draw{seed};
             int made = 0;
             for (int cycle = 0; cycle < 1500; ++cycle) {
-                INFO(config.name << ", " << flow.name << ", seed " << seed << ", cycle " << cycle);
-                if (!model.spawn.offer && draw.coin() && !draw.percent(flow.idle_percent))
+                INFO(config.name << ", " << pace.name << ", seed " << seed << ", cycle " << cycle);
+                if (!model.spawn.offer && draw.coin() && !draw.percent(pace.idle_percent))
                     model.spawn.offer = random_spawn(draw, frame, config);
                 if (!model.slot.offer && draw.coin()) {
                     const Spawn pixel = random_spawn(draw, frame, config);
                     model.slot.offer = Slot{pixel.ray, pixel.x, pixel.y};
                 }
-                model.ray.ready = !draw.percent(flow.stall_percent);
+                model.ray.ready = !draw.percent(pace.stall_percent);
                 static_cast<RaygenLinks&>(rtl) = model;
                 model.eval();
                 rtl.eval();
@@ -192,14 +192,14 @@ void same_moves(const Config& config) {
 
 template <class Dut> void rays_of_every_kind(const Config& config) {
     for (unsigned seed = 1; seed <= 5; ++seed)
-        make_rays<Dut>(config, frame_of(seed, config, 1, false), seed, flows[seed % 4], 400);
+        make_rays<Dut>(config, frame_of(seed, config, 1, false), seed, paces[seed % 4], 400);
 }
 
 template <class Dut> void every_sample(const Config& config) {
     for (int n = 1; n <= most_aa; ++n)
         for (const bool jitter : {false, true})
             make_rays<Dut>(config, frame_of(unsigned(n), config, n, jitter), unsigned(2 * n + jitter),
-                           flows[std::size_t(n % 4)], 300);
+                           paces[std::size_t(n % 4)], 300);
 }
 
 }   // namespace
@@ -259,13 +259,13 @@ TEMPLATE_TEST_CASE("raygen accepts shade's ray before a new pixel, and one ray i
     REQUIRE(dut.spawn.fires());
 }
 
-TEST_CASE("model and rtl of raygen make the same moves in every cycle with rays of shade",
+TEST_CASE("model and RTL of raygen make the same moves in every cycle with rays of shade",
           "[raygen][lockstep][shading]") {
     same_moves(format(GENERATE("shading:default", "samples:default", "rays8:fast:shading:default",
                                "rays4:samples:default")));
 }
 
-TEST_CASE("model and rtl of raygen make the same moves with rays of shade, other formats",
+TEST_CASE("model and RTL of raygen make the same moves with rays of shade, other formats",
           "[raygen][lockstep][shading][slow]") {
     same_moves(format(GENERATE("shading:wide", "samples:narrow")));
 }
@@ -307,4 +307,4 @@ TEST_CASE("without samples a pixel's ray is what it is without shading", "[rayge
     }
 }
 
-}   // namespace rayclock::test::spawn_test
+}   // namespace rayclock::test::shading_rays_test

@@ -92,21 +92,21 @@ void judge(const Slot& slot, const Ray& ray, const Frame& frame, const Config& c
     }
 }
 
-template <class Dut> void against_oracle(const char* name, unsigned seed, const Flow& flow, int count) {
+template <class Dut> void against_oracle(const char* name, unsigned seed, const Pace& pace, int count) {
     const Config config = format(name);
     INFO(name << ", seed " << seed);
     const Frame frame = camera(seed, config);
     Draw draw{seed};
     Dut dut{config, frame, int(seed)};
     stream(
-        dut, config, flow, draw, count, [&](Draw& from) { return random_slot(from, config); },
+        dut, config, pace, draw, count, [&](Draw& from) { return random_slot(from, config); },
         [&](const Slot& slot, const Ray& ray) { judge(slot, ray, frame, config); });
 }
 
 void shared_moves(const Config& config) {
-    for (const Flow& flow : flows)
+    for (const Pace& pace : paces)
         for (unsigned seed = 11; seed <= 13; ++seed)
-            check_lockstep<RaygenUnit>(config, camera(seed, config), flow, seed,
+            check_lockstep<RaygenUnit>(config, camera(seed, config), pace, seed,
                                        1500 * config.raygen_interval,
                                        [&](Draw& draw) { return random_slot(draw, config); });
 }
@@ -116,7 +116,7 @@ void shared_moves(const Config& config) {
 TEMPLATE_TEST_CASE("raygen gives the rounded direction and a bracket of its reciprocal", "[raygen]",
                    Model<RaygenUnit>, Rtl<RaygenUnit>) {
     const auto name = GENERATE("default", "small", "narrow", "wide", "sheared:default", "rays8:fast:default");
-    for (unsigned seed = 1; seed <= 10; ++seed) against_oracle<TestType>(name, seed, flows[seed % 4], 250);
+    for (unsigned seed = 1; seed <= 10; ++seed) against_oracle<TestType>(name, seed, paces[seed % 4], 250);
 }
 
 TEMPLATE_TEST_CASE("a camera ray of two levels has an opposite", "[raygen]", Model<RaygenUnit>,
@@ -130,7 +130,7 @@ TEMPLATE_TEST_CASE("a camera ray of two levels has an opposite", "[raygen]", Mod
         Draw draw{seed};
         TestType dut{config, frame, int(seed)};
         const auto make_slot = [&](Draw& from) { return random_slot(from, config); };
-        stream(dut, config, flows[0], draw, 4, make_slot, [&](const Slot& slot, const Ray& ray) {
+        stream(dut, config, paces[0], draw, 4, make_slot, [&](const Slot& slot, const Ray& ray) {
             judge(slot, ray, frame, config);
             for (const std::int32_t d : ray.d) longest += d == 1 - (1 << (config.dir_bits - 1));
         });
@@ -162,7 +162,7 @@ TEMPLATE_TEST_CASE("raygen fills the bits of a direction, however short the sum 
             Draw draw{seed};
             TestType dut{config, frame, int(seed)};
             const auto make_slot = [&](Draw& from) { return random_slot(from, config); };
-            stream(dut, config, flows[0], draw, 4, make_slot, [&](const Slot& slot, const Ray& ray) {
+            stream(dut, config, paces[0], draw, 4, make_slot, [&](const Slot& slot, const Ray& ray) {
                 judge(slot, ray, frame, config);
                 const auto [x, y, z] = ray.d;
                 if (free <= most_shift)
@@ -185,20 +185,20 @@ TEMPLATE_TEST_CASE("raygen makes a ray in every cycle", "[raygen]", Model<Raygen
     check_throughput(dut, config, [&](Draw& draw) { return random_slot(draw, config); });
 }
 
-TEST_CASE("model and rtl of raygen make the same moves in every cycle", "[raygen][lockstep]") {
+TEST_CASE("model and RTL of raygen make the same moves in every cycle", "[raygen][lockstep]") {
     const Config config = format(GENERATE("default", "small", "narrow", "wide"));
-    for (const Flow& flow : flows)
+    for (const Pace& pace : paces)
         for (unsigned seed = 11; seed <= 15; ++seed)
-            check_lockstep<RaygenUnit>(config, camera(seed, config), flow, seed, 1500,
+            check_lockstep<RaygenUnit>(config, camera(seed, config), pace, seed, 1500,
                                        [&](Draw& draw) { return random_slot(draw, config); });
 }
 
-TEST_CASE("model and rtl of a fast raygen make the same moves in every cycle", "[raygen][lockstep][fast]") {
+TEST_CASE("model and RTL of a fast raygen make the same moves in every cycle", "[raygen][lockstep][fast]") {
     const Config config = format(GENERATE("fast:default", "fast:small", "fast:narrow", "fast:wide",
                                           "fast:sheared:default", "fast:sheared:precise"));
-    for (const Flow& flow : flows)
+    for (const Pace& pace : paces)
         for (unsigned seed = 11; seed <= 13; ++seed)
-            check_lockstep<RaygenUnit>(config, camera(seed, config), flow, seed, 1500,
+            check_lockstep<RaygenUnit>(config, camera(seed, config), pace, seed, 1500,
                                        [&](Draw& draw) { return random_slot(draw, config); });
 }
 
@@ -209,26 +209,26 @@ TEMPLATE_TEST_CASE("raygen that shares steps of its divisions makes a ray every 
     check_throughput(dut, config, [&](Draw& draw) { return random_slot(draw, config); });
 }
 
-TEST_CASE("model and rtl of a raygen that shares steps make the same moves in every cycle",
+TEST_CASE("model and RTL of a raygen that shares steps make the same moves in every cycle",
           "[raygen][lockstep][interval]") {
     shared_moves(format(GENERATE("rays2:default", "rays8:fast:narrow", "rays4:sheared:default")));
 }
 
-TEST_CASE("model and rtl of a raygen that shares steps make the same moves, other formats",
+TEST_CASE("model and RTL of a raygen that shares steps make the same moves, other formats",
           "[raygen][lockstep][interval][slow]") {
     shared_moves(
         format(GENERATE("rays4:default", "rays8:default", "rays2:fast:small", "rays4:fast:small",
                         "rays8:fast:small", "rays4:wide", "rays8:fast:wide", "rays8:fast:sheared:precise")));
 }
 
-TEST_CASE("model and rtl of raygen with slopes make the same moves in every cycle",
+TEST_CASE("model and RTL of raygen with slopes make the same moves in every cycle",
           "[raygen][lockstep][sheared]") {
     const Config config = format(GENERATE("sheared:default", "sheared:narrow", "sheared:precise"));
-    check_lockstep<RaygenUnit>(config, Frame{}, flows[0], 1, 100,
+    check_lockstep<RaygenUnit>(config, Frame{}, paces[0], 1, 100,
                                [&](Draw& draw) { return random_slot(draw, config); });   // d = 0
-    for (const Flow& flow : flows)
+    for (const Pace& pace : paces)
         for (unsigned seed = 11; seed <= 15; ++seed)
-            check_lockstep<RaygenUnit>(config, camera(seed, config), flow, seed, 1500,
+            check_lockstep<RaygenUnit>(config, camera(seed, config), pace, seed, 1500,
                                        [&](Draw& draw) { return random_slot(draw, config); });
 }
 

@@ -233,32 +233,32 @@ std::pair<std::int64_t, std::int64_t> wanted_path(std::uint32_t before, const Ve
 
 }   // namespace
 
-TEST_CASE("the rtl's pass is the model's, after exactly its latency, one in a cycle",
+TEST_CASE("the RTL's pass is the model's, after exactly its latency, one in a cycle",
           "[pass][lockstep][all]") {
     check("all", 1, 12, 400);
 }
 
-TEST_CASE("the rtl's pass is the model's without units that are not needed, and at the ends of the lattice",
+TEST_CASE("the RTL's pass is the model's without units that are not needed, and at the ends of the lattice",
           "[pass][lockstep]") {
     const auto name = GENERATE("plain", "narrow");
     check(name, 1, 12, 400);
 }
 
-TEST_CASE("the rtl's pass is the model's if it stays in each stage for several cycles",
+TEST_CASE("the RTL's pass is the model's if it stays in each stage for several cycles",
           "[pass][lockstep][interval]") {
     check("every8:fast:all", 1, 4, 400);   // the configuration with the most registers
 }
 
-TEST_CASE("the rtl's pass is the model's with instances", "[pass][lockstep][levels]") {
+TEST_CASE("the RTL's pass is the model's with instances", "[pass][lockstep][levels]") {
     const auto name = GENERATE("levels:mirror", "every8:fast:levels:all");
     check(name, 1, 4, 400);
 }
 
-TEST_CASE("the rtl's pass is the model's with textures", "[pass][lockstep][textures]") {
+TEST_CASE("the RTL's pass is the model's with textures", "[pass][lockstep][textures]") {
     check("textured:all", 1, 8, 400);
 }
 
-TEST_CASE("the rtl's pass is the model's with textures and instances, if it stays for several cycles",
+TEST_CASE("the RTL's pass is the model's with textures and instances, if it stays for several cycles",
           "[pass][lockstep][textures][interval]") {
     check("textured:every8:fast:levels:all", 1, 4, 800);
 }
@@ -290,7 +290,7 @@ TEST_CASE("a path is as long as its rays together, rounded down and saturated", 
     CHECK((saturated > 300 && longer > 500));
 }
 
-TEST_CASE("the rtl computes the exact length of a path in three cycles, one path per cycle",
+TEST_CASE("the RTL computes the exact length of a path in three cycles, one path per cycle",
           "[pass][path][textures]") {
     const Config c = shaded_format("textured:all");
     RtlModule rtl(c, "rc_path_length");
@@ -591,19 +591,19 @@ TEST_CASE("a pixel keeps the hit of its first camera ray, not one behind a hole"
     CHECK((first > 3000 && behind > 3000));
 }
 
-TEST_CASE("the rtl's pass is the model's if it stays for two, four or eight cycles, in every format",
+TEST_CASE("the RTL's pass is the model's if it stays for two, four or eight cycles, in every format",
           "[pass][lockstep][interval][slow]") {
     const auto name = GENERATE("every2:all", "every4:all", "every8:all", "every8:fast:all", "every4:fast:all",
                                "every4:fast:plain", "every2:fast:narrow", "every8:fast:narrow");
     check(name, 1, 12, 400);
 }
 
-TEST_CASE("the rtl's pass is the model's with directions shorter than unit vectors",
+TEST_CASE("the RTL's pass is the model's with directions shorter than unit vectors",
           "[pass][lockstep][short][slow]") {
     check("short", 1, 12, 400);
 }
 
-TEST_CASE("the rtl's pass is the model's, many draws", "[pass][lockstep][slow]") {
+TEST_CASE("the RTL's pass is the model's, many draws", "[pass][lockstep][slow]") {
     const auto name = GENERATE("all", "plain", "mirror", "narrow", "broad", "short");
     check(name, 101, 200, 2000);
 }

@@ -9,10 +9,10 @@ using namespace rayclock::test;
 namespace {
 
 /// Returns the world after all rays.
-template <class Dut> ListWorld serve_rays(const Config& config, unsigned seed, const Flow& flow, int rays) {
-    INFO(config.name << ", " << flow.name << ", seed " << seed);
+template <class Dut> ListWorld serve_rays(const Config& config, unsigned seed, const Pace& pace, int rays) {
+    INFO(config.name << ", " << pace.name << ", seed " << seed);
     Dut dut{config, int(seed)};
-    ListWorld world{config, seed, flow, rays};
+    ListWorld world{config, seed, pace, rays};
     Steady<PrimReq> prim_req{config};
     Steady<Tested> tested{config};
     for (int cycle = 0; !world.finished(); ++cycle) {
@@ -29,12 +29,12 @@ template <class Dut> ListWorld serve_rays(const Config& config, unsigned seed, c
     return world;
 }
 
-void lockstep(const Config& config, unsigned seed, const Flow& flow, int cycles) {
+void lockstep(const Config& config, unsigned seed, const Pace& pace, int cycles) {
     ListModel model{config};
     ListRtl rtl{config, int(seed)};
-    ListWorld world{config, seed, flow, 1 << 30};
+    ListWorld world{config, seed, pace, 1 << 30};
     for (int cycle = 0; cycle < cycles; ++cycle) {
-        INFO(config.name << ", " << flow.name << ", seed " << seed << ", cycle " << cycle);
+        INFO(config.name << ", " << pace.name << ", seed " << seed << ", cycle " << cycle);
         world.drive(model);
         static_cast<ListLinks&>(rtl) = model;
         model.eval();
@@ -94,24 +94,24 @@ TriRsp miss(std::uint32_t ray) {
 
 TEMPLATE_TEST_CASE("list requests each leaf's triangles, nearest leaf first, none beyond the best hit",
                    "[list]", ListModel, ListRtl) {
-    for (const Flow& flow : flows)
-        for (unsigned seed = 1; seed <= 3; ++seed) serve_rays<TestType>(format("default"), seed, flow, 300);
+    for (const Pace& pace : paces)
+        for (unsigned seed = 1; seed <= 3; ++seed) serve_rays<TestType>(format("default"), seed, pace, 300);
 }
 
 TEMPLATE_TEST_CASE("list tests nothing more for a light that is blocked, and nothing beyond the surface",
                    "[list][shading]", ListModel, ListRtl) {
     for (const auto* name : {"shading:default", "samples:default"})
-        for (const Flow& flow : flows)
+        for (const Pace& pace : paces)
             for (unsigned seed = 1; seed <= 2; ++seed)
-                REQUIRE(serve_rays<TestType>(format(name), seed, flow, 300).stopped() > 50);
+                REQUIRE(serve_rays<TestType>(format(name), seed, pace, 300).stopped() > 50);
 }
 
 TEMPLATE_TEST_CASE("a ray to a light ignores as many cut-outs as have holes, and ends at the next one",
                    "[list][shading][hole]", ListModel, ListRtl) {
     Config config = format("shading:default");
     config.textures = 1, config.name = "textures";
-    for (const Flow& flow : flows) {
-        const ListWorld world = serve_rays<TestType>(config, 1, flow, 400);
+    for (const Pace& pace : paces) {
+        const ListWorld world = serve_rays<TestType>(config, 1, pace, 400);
         CAPTURE(world.passed(), world.cutouts());
         REQUIRE((world.passed() > 30 && world.cutouts() > 30));
     }
@@ -119,8 +119,8 @@ TEMPLATE_TEST_CASE("a ray to a light ignores as many cut-outs as have holes, and
 
 TEMPLATE_TEST_CASE("list requests each leaf's triangles in nodes of four", "[list][slow]", ListModel,
                    ListRtl) {
-    for (const Flow& flow : flows)
-        for (unsigned seed = 1; seed <= 10; ++seed) serve_rays<TestType>(format("small"), seed, flow, 300);
+    for (const Pace& pace : paces)
+        for (unsigned seed = 1; seed <= 10; ++seed) serve_rays<TestType>(format("small"), seed, pace, 300);
 }
 
 TEMPLATE_TEST_CASE("list passes on in the next cycle, and the inputs wait for nothing", "[list]", ListModel,
@@ -168,22 +168,22 @@ TEMPLATE_TEST_CASE("list accepts leaves and a test in every cycle", "[list]", Li
     REQUIRE(prims == int(half) - 1);
 }
 
-TEST_CASE("model and rtl of list make the same moves in every cycle", "[list][lockstep]") {
+TEST_CASE("model and RTL of list make the same moves in every cycle", "[list][lockstep]") {
     const Config config =
         format(GENERATE("default", "sheared:small", "shading:default", "fast:small", "fast:shading:default"));
-    for (const Flow& flow : flows)
-        for (unsigned seed = 11; seed <= 13; ++seed) lockstep(config, seed, flow, 3000);
+    for (const Pace& pace : paces)
+        for (unsigned seed = 11; seed <= 13; ++seed) lockstep(config, seed, pace, 3000);
 }
 
-TEST_CASE("model and rtl of list make the same moves, nodes of four and one context",
+TEST_CASE("model and RTL of list make the same moves, nodes of four and one context",
           "[list][lockstep][slow]") {
     Config one = format("small");
     one.name = "one context";
     one.contexts = 1;
-    for (const Flow& flow : flows)
+    for (const Pace& pace : paces)
         for (unsigned seed = 21; seed <= 25; ++seed) {
-            lockstep(format("small"), seed, flow, 5000);
-            lockstep(one, seed, flow, 5000);
+            lockstep(format("small"), seed, pace, 5000);
+            lockstep(one, seed, pace, 5000);
         }
 }
 

@@ -8,8 +8,9 @@
 #include "tests/support/cases/small.hpp"
 #include "tests/support/cases/tri_cases.hpp"
 
+namespace rayclock::test::tri_small_test {
+
 using namespace rayclock;
-using namespace rayclock::test;
 
 namespace {
 
@@ -160,7 +161,7 @@ TEST_CASE("model of tri is right for every ray and triangle of 64 points", "[tri
     REQUIRE(count.hits > 1000000);
 }
 
-TEST_CASE("rtl of tri is right for every ray and triangle of 64 points with one corner in the middle",
+TEST_CASE("RTL of tri is right for every ray and triangle of 64 points with one corner in the middle",
           "[tri][small][slow]") {
     // a = (0, -1, 0): differences to it have both signs on every axis.
     const std::uint64_t a = 2 + 4 * 1 + 16 * 2, block = tri_requests(lattice) / 64;
@@ -169,3 +170,5 @@ TEST_CASE("rtl of tri is right for every ray and triangle of 64 points with one 
     REQUIRE(count.wrong == 0);
     REQUIRE(count.hits > 10000);
 }
+
+}   // namespace rayclock::test::tri_small_test

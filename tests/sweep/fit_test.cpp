@@ -75,7 +75,7 @@ bool keeps(const Scene& scene, FrameSize size, const HitFrame& reference, const 
            colour && now.work <= wide.work * (1 + goal.max_work / 100) * (1 + 1e-12) && now.deep;
 }
 
-constexpr FrameSize size{160, 120};
+constexpr FrameSize frame_size{160, 120};
 
 }   // namespace
 
@@ -89,20 +89,20 @@ TEST_CASE("what fit finds keeps the goal, and nothing in it can be a step lower"
         GENERATE(Case{"teapot:4", {0.1, {}, 2}, "default"}, Case{"gears:1", {0.5, 42.0, 5}, "small"},
                  Case{"cornell", {2, {}, 0}, "wide"}, Case{"tetra:5", {0.3, {}, 1}, "default"},
                  Case{"icosphere:3", {1, {}, 300}, "default"});
-    const Scene scene = ready(c.scene, size);
-    const HitFrame reference = Reference(scene).frame(*scene.camera, size);
-    Measure measure(scene, size, 0);
+    const Scene scene = ready(c.scene, frame_size);
+    const HitFrame reference = Reference(scene).frame(*scene.camera, frame_size);
+    Measure measure(scene, frame_size, 0);
     const auto found = Search(measure, named_config(c.base), c.goal).run();
     INFO(c.scene);
     REQUIRE(found);
-    CHECK(keeps(scene, size, reference, found->config, c.goal));
+    CHECK(keeps(scene, frame_size, reference, found->config, c.goal));
     REQUIRE(found->parameters.size() == 10);
     for (const fit::Fitted& f : found->parameters) {
         INFO(f.parameter->key << " " << f.value << ", one step below: " << f.below);
         CHECK(f.parameter->get(found->config) == f.value);
         Config lower = found->config;
         f.parameter->set(lower, f.parameter->power_of_two() ? f.value / 2 : f.value - 1);
-        CHECK(!keeps(scene, size, reference, lower, c.goal));
+        CHECK(!keeps(scene, frame_size, reference, lower, c.goal));
         CHECK(!f.below.empty());
     }
     // The shape must not change.

@@ -14,7 +14,7 @@
 #include "model/trace/walk.hpp"
 #include "tests/support/machine/walked.hpp"
 
-namespace rayclock::test::trace_shaded_test {
+namespace rayclock::test::shaded_test {
 
 using namespace rayclock;
 using namespace rayclock::test;
@@ -115,4 +115,4 @@ TEST_CASE("all rays of a chip that shades are recorded as they are walked", "[tr
     }
 }
 
-}   // namespace rayclock::test::trace_shaded_test
+}   // namespace rayclock::test::shaded_test

@@ -16,11 +16,11 @@ Frame frame_at(std::uint32_t root) {
 }
 
 /// Returns the number of stopped rays.
-template <class Dut> int walk_rays(const Config& config, unsigned seed, const Flow& flow, int rays) {
-    INFO(config.name << ", " << flow.name << ", seed " << seed);
+template <class Dut> int walk_rays(const Config& config, unsigned seed, const Pace& pace, int rays) {
+    INFO(config.name << ", " << pace.name << ", seed " << seed);
     const Frame frame = frame_at(1234 + seed);
     Dut dut{frame, config, int(seed)};
-    TravWorld world{frame, config, seed, flow, rays};
+    TravWorld world{frame, config, seed, pace, rays};
     Steady<NodeReq> node_req{config};
     Steady<Done> done{config};
     for (int cycle = 0; !world.finished(); ++cycle) {
@@ -38,13 +38,13 @@ template <class Dut> int walk_rays(const Config& config, unsigned seed, const Fl
     return world.stopped();
 }
 
-void lockstep(const Config& config, unsigned seed, const Flow& flow, int cycles) {
+void lockstep(const Config& config, unsigned seed, const Pace& pace, int cycles) {
     const Frame frame = frame_at(77);
     TravModel model{frame, config};
     TravRtl rtl{frame, config, int(seed)};
-    TravWorld world{frame, config, seed, flow, 1 << 30};
+    TravWorld world{frame, config, seed, pace, 1 << 30};
     for (int cycle = 0; cycle < cycles; ++cycle) {
-        INFO(config.name << ", " << flow.name << ", seed " << seed << ", cycle " << cycle);
+        INFO(config.name << ", " << pace.name << ", seed " << seed << ", cycle " << cycle);
         world.drive(model);
         static_cast<TravLinks&>(rtl) = model;
         model.eval();
@@ -142,15 +142,15 @@ BoxRsp leaf_at(std::uint32_t ray, std::uint32_t near) {
 
 TEMPLATE_TEST_CASE("trav visits the nodes nearer than the distance to beat, nearest first", "[trav]",
                    TravModel, TravRtl) {
-    for (const Flow& flow : flows)
-        for (unsigned seed = 1; seed <= 3; ++seed) walk_rays<TestType>(format("default"), seed, flow, 300);
+    for (const Pace& pace : paces)
+        for (unsigned seed = 1; seed <= 3; ++seed) walk_rays<TestType>(format("default"), seed, pace, 300);
 }
 
 TEMPLATE_TEST_CASE(
     "trav visits the nodes nearer than the distance to beat, with four children and a deep stack",
     "[trav][slow]", TravModel, TravRtl) {
-    for (const Flow& flow : flows)
-        for (unsigned seed = 1; seed <= 10; ++seed) walk_rays<TestType>(format("small"), seed, flow, 300);
+    for (const Pace& pace : paces)
+        for (unsigned seed = 1; seed <= 10; ++seed) walk_rays<TestType>(format("small"), seed, pace, 300);
 }
 
 TEMPLATE_TEST_CASE("trav's decisions take two cycles, and two more for each group it drops", "[trav]",
@@ -193,9 +193,9 @@ TEMPLATE_TEST_CASE(
 
 TEMPLATE_TEST_CASE("trav ends a ray that is stopped, and leaves nothing on its stack", "[trav][shading]",
                    TravModel, TravRtl) {
-    for (const Flow& flow : flows)
+    for (const Pace& pace : paces)
         for (unsigned seed = 1; seed <= 3; ++seed)
-            REQUIRE(walk_rays<TestType>(format("shading:default"), seed, flow, 300) > 100);
+            REQUIRE(walk_rays<TestType>(format("shading:default"), seed, pace, 300) > 100);
 
     Hand<TestType> hand{format("shading:default")};
     hand.start(3);
@@ -367,25 +367,25 @@ TEMPLATE_TEST_CASE("trav decides a step in every cycle, and no step enters in a 
     REQUIRE(other.cycle().cause == 1);
 }
 
-TEST_CASE("model and rtl of trav make the same moves in every cycle", "[trav][lockstep]") {
+TEST_CASE("model and RTL of trav make the same moves in every cycle", "[trav][lockstep]") {
     const Config config =
         format(GENERATE("default", "shading:default", "fast:small", "fast:shading:default"));
-    for (const Flow& flow : flows)
-        for (unsigned seed = 11; seed <= 13; ++seed) lockstep(config, seed, flow, 3000);
+    for (const Pace& pace : paces)
+        for (unsigned seed = 11; seed <= 13; ++seed) lockstep(config, seed, pace, 3000);
 }
 
-TEST_CASE("model and rtl of trav make the same moves, four children, one context and many",
+TEST_CASE("model and RTL of trav make the same moves, four children, one context and many",
           "[trav][lockstep][slow]") {
     Config one = format("small"), many = one;
     one.name = "one context";
     one.contexts = 1;
     many.name = "128 contexts";
     many.contexts = 128;
-    for (const Flow& flow : flows)
+    for (const Pace& pace : paces)
         for (unsigned seed = 21; seed <= 25; ++seed) {
-            lockstep(format("small"), seed, flow, 5000);
-            lockstep(one, seed, flow, 5000);
-            lockstep(many, seed, flow, 5000);
+            lockstep(format("small"), seed, pace, 5000);
+            lockstep(one, seed, pace, 5000);
+            lockstep(many, seed, pace, 5000);
         }
 }
 

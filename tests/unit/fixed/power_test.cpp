@@ -67,7 +67,7 @@ TEST_CASE("powers of nothing and of one, to the first and to none", "[power]") {
     for (std::uint32_t c = 1; c <= 65536; ++c) REQUIRE(power(c, 0) == 65536);
 }
 
-TEST_CASE("the rtl's power is the model's, after exactly its latency, one in a cycle", "[power][lockstep]") {
+TEST_CASE("the RTL's power is the model's, after exactly its latency, one in a cycle", "[power][lockstep]") {
     for (const bool idle : {false, true})
         for (unsigned seed = 21; seed <= 23; ++seed)
             check_cell(

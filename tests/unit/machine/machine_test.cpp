@@ -187,7 +187,7 @@ TEST_CASE("idle cycles that are passed over are as if each had been stepped", "[
     }
 }
 
-TEST_CASE("model and rtl of the machine count the same", "[machine][lockstep]") {
+TEST_CASE("model and RTL of the machine count the same", "[machine][lockstep]") {
     const auto [scene, name] = GENERATE(table<const char*, const char*>(
         {{"tetra:3", "small"}, {"gears:1", "small"}, {"gears:1", "lanes1:rays4:small"}}));
     const Job job = small_job(scene, {16, 12}, format(name));
