@@ -1,7 +1,7 @@
 #pragma once
 // Every payload of the machine, described once: its C++ members and their widths. rc_pkg.sv comes from these
-// descriptions. memory_payloads.hpp has the payloads of links to memory, node_payloads.hpp those of the units
-// that decide nodes.
+// descriptions. memory_payloads.hpp has the payloads of links to memory, node_payloads.hpp those of node
+// units.
 //
 // Symbols: N coord_bits, M dir_bits, F t_frac_bits, R recip_bits, W node_width (core/config.hpp). A distance
 // t is in units of 2^-F lattice steps along a direction of length 2^(M-1): t = 2^(M-1+F) * (point - o) / d.

@@ -54,13 +54,13 @@ private:
 
 template <class See> void PayloadReplay::operator()(const Move& m, See&& see) {
     const auto emit = [&](const auto& payload) { see(m.pipeline, m.link, payload); };
-    const auto emit_request = [&]<class E>(E) {   // trav -> the unit that decides nodes
+    const auto emit_request = [&]<class E>(E) {   // trav -> the node unit
         Walk& w = walk(m);
         emit(E::request(m.id, w.form<E>(), unpack<typename E::Node>(image_.line(w.node()), config_)));
         w.test_node();
     };
     const auto answer = [&] {
-        emit(walk(m).boxes());
+        emit(walk(m).node_answer());
         bool done = false;
         if (!walk(m).has_leaves()) walk(m).decide(done);   // trav makes no request to list
     };

@@ -18,7 +18,7 @@ Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
       raygen_hold_(std::uint32_t(config.raygen_interval - 1)),
       trav_(config),
       node_cache_(node_cache_shape(config)),
-      box_(node_latency(config), config.box_queue),
+      node_unit_(node_latency(config), config.box_queue),
       node_answer_delay_(std::max(0, Stages(config).node_answer_delay - 1), config.contexts),
       box_hold_(std::uint32_t(config.box_interval() - 1)),
       xform_(config.xform_latency() - 1, config.contexts),
@@ -59,7 +59,7 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
                 with_shape([&]<RayFeed feed, bool levels>() { clock_trav<feed, levels>(moves_); });
                 break;
             case Unit::node_cache: clock_node_cache(moves_, shared); break;
-            case Unit::box: clock_box(moves_, now); break;
+            case Unit::box: clock_node_unit(moves_, now); break;   // whichever engine it belongs to
             case Unit::xform:
                 if (has_instances_) clock_xform(moves_, now);
                 break;
@@ -80,7 +80,7 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
             case Unit::tex:
                 if (feed_ == RayFeed::textured) clock_tex(moves_, now, shared);   // and tex_cache
                 break;
-            default: break;   // box represents all units that decide nodes
+            default: break;   // the other node units: see the case of box
         }
     account_caches();
 }
@@ -192,7 +192,7 @@ std::uint64_t Pipeline::wakes(std::uint64_t now) const {
         (feed_ != RayFeed::camera && surf_or_stream_cache_.answers()) ||
         (feed_ == RayFeed::textured && tex_cache_.answers()))
         return now;
-    std::uint64_t wakes = std::min({raygen_.due(), box_.due(now), tri_.due(now)});
+    std::uint64_t wakes = std::min({raygen_.due(), node_unit_.due(now), tri_.due(now)});
     if (has_instances_) wakes = std::min(wakes, xform_.due(now));
     if (delays_answers_) wakes = std::min({wakes, node_answer_delay_.due(now), tri_answer_delay_.due(now)});
     if (feed_ == RayFeed::textured) wakes = std::min(wakes, tex_.due(now));
@@ -211,8 +211,9 @@ std::string Pipeline::where(std::uint32_t ray, std::uint64_t now) const {
         return (feed_ == RayFeed::stream ? "stream: " : "surf_cache: ") + place;
     if (std::string place = node_cache_.where(ray); !place.empty()) return "node_cache: " + place;
     if (std::string place = prim_cache_.where(ray); !place.empty()) return "prim_cache: " + place;
-    return raygen_.contains(RayNumber(ray))     ? "raygen"
-           : box_.contains(RayNumber(ray), now) ? unit_infos[index((is_low(ray) ? lower_ : upper_).unit)].name
+    return raygen_.contains(RayNumber(ray)) ? "raygen"
+           : node_unit_.contains(RayNumber(ray), now)
+               ? unit_infos[index((is_low(ray) ? lower_ : upper_).unit)].name
            : xform_.contains(RayNumber(ray), now) ? "xform"
            : tri_.contains(RayNumber(ray), now)   ? "tri"
            : delays_answers_ && node_answer_delay_.contains(RayNumber(ray), now)

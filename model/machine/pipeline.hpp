@@ -166,12 +166,13 @@ private:
     /// All inner links in a cycle. SharedMoves has the links to the shared units.
     struct Moves {
         std::array<LinkInside, pipeline_links> links;
-        LinkRay node_answer, tri_answer;   // box's and tri's answers on arrival at trav and list
+        LinkRay node_answer, tri_answer;   // the node unit's and tri's answers on arrival at trav and list
         bool step = false;                 // trav accepts a step of a ray that was tested or has no leaves
         bool read = false;                 // node_cache's answer is accepted
         bool placing = false;              // surf_cache's answer is an instance
-        bool lower_request = false, lower_answer = false;   // box's links belong to the lower engine's unit
-        std::uint32_t record = 0;                           // line of the record of sched's next ray
+        bool lower_request = false;        // the request to a node unit is for lower_
+        bool lower_answer = false;         // the answer of a node unit is from lower_
+        std::uint32_t record = 0;          // line of the record of sched's next ray
         std::uint32_t shade_code = 0, xform_code = 0, lower_code = 0, tex_code = 0;   // codes of units.hpp
         const LinkInside& operator[](Link link) const { return links[index(link)]; }
         void offer(Link link, bool offered, bool ready, std::uint32_t ray) {
@@ -180,22 +181,24 @@ private:
         /// True if one of these links fires.
         template <class... Links> bool any(Links... some) const { return (links[index(some)].fires | ...); }
     };
-    /// box's links represent those of the unit that decides nodes. With two such units, at most one gets a
-    /// request in a cycle and one answers, since the faster one's answers wait as long as the other's.
+    /// The links of the node units share two entries of Moves. With two node units, at most one gets a
+    /// request in a cycle and at most one answers, because both have the latency of the slower one.
+    static constexpr Link node_unit_req = Link::box_req, node_unit_rsp = Link::box_rsp;
+    /// Returns the link's entry in Moves.
     static constexpr Link inside(Link link) {
-        return is_node_request(link) ? Link::box_req : is_node_answer(link) ? Link::box_rsp : link;
+        return is_node_request(link) ? node_unit_req : is_node_answer(link) ? node_unit_rsp : link;
     }
-    /// Returns the link's own name for the outside.
+    /// Returns the link of an entry in Moves.
     Link outside(Link link) const {
-        return link == Link::box_req   ? (moves_.lower_request ? lower_ : upper_).req
-               : link == Link::box_rsp ? (moves_.lower_answer ? lower_ : upper_).rsp
+        return link == node_unit_req   ? (moves_.lower_request ? lower_ : upper_).req
+               : link == node_unit_rsp ? (moves_.lower_answer ? lower_ : upper_).rsp
                                        : link;
     }
     /// True if the lower engine walks the ray's node; false with one engine.
     bool is_low(std::uint32_t ray) const { return node_addr(ray) >= first_mesh_line_; }
-    /// Returns the cause of the deciding unit: of the only one, or of the upper or lower one.
-    std::uint32_t decide_code(const Moves& m, bool low) const {
-        const LinkInside& req = m[Link::box_req];
+    /// Returns the cause of a node unit: of the only one, or of the upper or lower one.
+    std::uint32_t node_unit_code(const Moves& m, bool low) const {
+        const LinkInside& req = m[node_unit_req];
         const bool own = m.lower_request == low;
         if (box_hold_left_ > 0 && box_is_low_ == low) return 0;
         return test_codes[std::size_t((own & req.valid) + (own & req.fires) +
@@ -224,7 +227,7 @@ private:
     template <RayFeed feed> void clock_raygen(const Moves& m, std::uint64_t now);
     template <RayFeed feed, bool levels> void clock_trav(const Moves& m);
     void clock_node_cache(const Moves& m, const SharedMoves& shared);
-    void clock_box(const Moves& m, std::uint64_t now);
+    void clock_node_unit(const Moves& m, std::uint64_t now);
     void clock_xform(const Moves& m, std::uint64_t now);
     void clock_list(const Moves& m);
     void clock_prim_cache(const Moves& m, const SharedMoves& shared);
@@ -237,11 +240,11 @@ private:
     RayFeed feed_;
     bool has_instances_;
     bool is_list_;                       // no nodes
-    NodeUnit upper_, lower_;             // units that decide nodes of the scene's tree, and of meshes
+    NodeUnit upper_, lower_;             // of the scene's tree, and of meshes; equal with one engine
     std::uint32_t first_ray_line_ = 0;   // line of the stream's first record
     int pixel_bits_;
     std::uint32_t first_mesh_line_ = ~0u;   // first line whose nodes lower_ decides
-    bool box_is_low_;   // if two units exist: lower_ is box, which accepts a node every few cycles
+    bool box_is_low_;   // with two engines: lower_ is the unit box, which accepts a node every few cycles
     const Trace* trace_ = nullptr;
     Sched sched_;
     Pipe<RayNumber> raygen_;
@@ -249,9 +252,9 @@ private:
     std::uint32_t raygen_hold_, raygen_hold_left_ = 0;
     Trav trav_;
     Cache node_cache_;
-    Delay box_;
+    Delay node_unit_;
     Delay node_answer_delay_;                      // delays the answers to trav in a fast chip
-    std::uint32_t box_hold_, box_hold_left_ = 0;   // the same of box, after a node
+    std::uint32_t box_hold_, box_hold_left_ = 0;   // the same of the unit box, after a node
     Delay xform_;
     std::uint32_t xform_hold_, xform_hold_left_ = 0;   // the same of xform, after a ray
     List list_;
@@ -275,9 +278,9 @@ private:
     bool asleep_ = false;
 
     // Codes of units.hpp, by the progress of the item that the unit waits for: absent, on offer, accepted.
-    // Before that, sched's pixel must be valid. For box and tri it also matters whether memory has a request
-    // in flight (3 more). For trav it matters whether a step waits, and whether no ray recirculates (2 more).
-    // Recirculation counts as work, or as a stall if a step waits.
+    // Before that, sched's pixel must be valid. For node units and tri it also matters whether memory has a
+    // request in flight (3 more). For trav it matters whether a step waits, and whether no ray recirculates
+    // (2 more). Recirculation counts as work, or as a stall if a step waits.
     static constexpr std::array<std::uint8_t, 4> sched_codes{2, 1, 3, 0}, trav_codes{0, 2, 1, 0};
     static constexpr std::array<std::uint8_t, 3> raygen_codes{1, 2, 0};
     static constexpr std::array<std::uint8_t, 6> test_codes{2, 3, 0, 1, 3, 0};

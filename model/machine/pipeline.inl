@@ -23,10 +23,10 @@ template <Pipeline::RayFeed feed, bool levels>
     const std::uint32_t read = node_cache_.answer();
     const bool enters = levels && Trace::enters(rays_[read].head);
     m.lower_request = levels && is_low(read);
-    m.offer(Link::box_req, node_cache_.valid() & !enters,
-            box_.ready() & ((box_hold_left_ == 0) | (m.lower_request != box_is_low_)), read);
-    if constexpr (levels) m.lower_code = decide_code(m, true);
-    m.read = m[Link::box_req].fires;
+    m.offer(node_unit_req, node_cache_.valid() & !enters,
+            node_unit_.ready() & ((box_hold_left_ == 0) | (m.lower_request != box_is_low_)), read);
+    if constexpr (levels) m.lower_code = node_unit_code(m, true);
+    m.read = m[node_unit_req].fires;
     if constexpr (levels) {
         const LinkRay changed = xform_.answer(now);
         m.offer(Link::xform_req, node_cache_.valid() & enters, xform_hold_left_ == 0, read);
@@ -36,12 +36,12 @@ template <Pipeline::RayFeed feed, bool levels>
                        : node_cache_.has_misses_in_flight()                ? 1
                                                                            : 2;
     }
-    const LinkRay from_box = box_.answer(now), from_tri = tri_.answer(now);
-    m.lower_answer = levels && is_low(from_box.ray);
-    m.node_answer = delays_answers_ ? node_answer_delay_.answer(now) : from_box;
+    const LinkRay from_node_unit = node_unit_.answer(now), from_tri = tri_.answer(now);
+    m.lower_answer = levels && is_low(from_node_unit.ray);
+    m.node_answer = delays_answers_ ? node_answer_delay_.answer(now) : from_node_unit;
     if (is_list_) m.node_answer = {trav_.node_valid(), trav_.node_ray()};   // a page needs no memory
     m.tri_answer = delays_answers_ ? tri_answer_delay_.answer(now) : from_tri;
-    m.offer(Link::box_rsp, from_box.valid, true, from_box.ray);
+    m.offer(node_unit_rsp, from_node_unit.valid, true, from_node_unit.ray);
     m.offer(Link::leaves, m.node_answer.valid & has_tests(m.node_answer.ray), true, m.node_answer.ray);
     m.offer(Link::prim_req, list_.prim_valid(), prim_cache_.ready(), list_.prim_ray());
     m.offer(Link::tri_req, prim_cache_.valid(), tri_.ready() & (tri_hold_left_ == 0), prim_cache_.answer());
@@ -87,12 +87,12 @@ template <Pipeline::RayFeed feed> [[gnu::always_inline]] inline void Pipeline::a
     const std::uint32_t
         sched = sched_codes[std::size_t(sched_.pixel_valid() + progress(Link::slot))],
         raygen = raygen_hold_left_ > 0 ? 0u : raygen_codes[std::size_t(asked + begun)],
-        trav = trav_codes[turn + 2 * free], box = decide_code(m, false),
+        trav = trav_codes[turn + 2 * free], node = node_unit_code(m, false),
         list = !(m[Link::leaves].fires | m[Link::tri_rsp].fires),
         tri = tri_hold_left_ > 0
                   ? 0u
                   : test_codes[std::size_t(progress(Link::tri_req) + 3 * prim_cache_.has_misses_in_flight())];
-    last_units_ = sched | raygen << 2 | trav << 4 | box << 6 | list << 8 | tri << 9;
+    last_units_ = sched | raygen << 2 | trav << 4 | node << 6 | list << 8 | tri << 9;
     ++units_[last_units_];
 }
 
@@ -169,11 +169,11 @@ template <Pipeline::RayFeed feed, bool levels>
                                       shared.node_miss);
 }
 
-[[gnu::always_inline]] inline void Pipeline::clock_box(const Moves& m, std::uint64_t now) {
-    box_.clock(now, m[Link::box_req]);
-    box_hold_left_ = select(m[Link::box_req].fires & (m.lower_request == box_is_low_), box_hold_,
+[[gnu::always_inline]] inline void Pipeline::clock_node_unit(const Moves& m, std::uint64_t now) {
+    node_unit_.clock(now, m[node_unit_req]);
+    box_hold_left_ = select(m[node_unit_req].fires & (m.lower_request == box_is_low_), box_hold_,
                             box_hold_left_ - (box_hold_left_ > 0));
-    if (delays_answers_) node_answer_delay_.clock(now, m[Link::box_rsp]);
+    if (delays_answers_) node_answer_delay_.clock(now, m[node_unit_rsp]);
 }
 
 [[gnu::always_inline]] inline void Pipeline::clock_list(const Moves& m) {
@@ -217,7 +217,7 @@ template <Pipeline::RayFeed feed, bool levels>
     clock_trav<feed, levels>(m);
     if constexpr (levels) clock_xform(m, now);
     clock_node_cache(m, shared);
-    clock_box(m, now);
+    clock_node_unit(m, now);
     clock_list(m);
     clock_prim_cache(m, shared);
     clock_tri(m, now);
@@ -225,7 +225,7 @@ template <Pipeline::RayFeed feed, bool levels>
     asleep_ = (node_outcome_ > CacheOutcome::drain) & (prim_outcome_ > CacheOutcome::drain) &
               !node_cache_.loaded() & !prim_cache_.loaded() &
               !(turning | m.step | shared.any() |
-                m.any(Link::slot, Link::ray, Link::node_req, Link::box_req, Link::box_rsp, Link::prim_req,
+                m.any(Link::slot, Link::ray, Link::node_req, node_unit_req, node_unit_rsp, Link::prim_req,
                       Link::tri_req, Link::tri_rsp, Link::hit));
     if constexpr (levels) asleep_ = asleep_ & !m.any(Link::xform_req, Link::change);
     if constexpr (feed == RayFeed::stream) {

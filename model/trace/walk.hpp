@@ -98,8 +98,10 @@ public:
     bool has_leaves() const { return has_leaves_; }   ///< result of test_node()
     /// Returns that node's children that the ray meets, one bit each.
     std::uint32_t met() const { return steps_.hits(); }
-    BoxRsp boxes() const { return box_answer(ray().ray, steps_.hits(), steps_.t_near(), steps_.node()); }
-    Leaves leaves() const { return leaves_of(boxes()); }   ///< that trav sent to list
+    NodeAnswer node_answer() const {
+        return rayclock::node_answer(ray().ray, steps_.hits(), steps_.t_near(), steps_.node());
+    }
+    Leaves leaves() const { return leaves_of(node_answer()); }   ///< that trav sent to list
     std::uint32_t prim() const { return steps_.prim(); }
     /// Performs tri on the next triangle, and list on its answer.
     const TriRsp& test_triangle() {

@@ -99,7 +99,8 @@ constexpr UnitRow row(Unit unit) {
 }
 
 constexpr UnitRow units[] = {row<TriReq, TriRsp, tri>(Unit::tri), row<XformReq, Change, xform>(Unit::xform),
-#define RAYCLOCK_ROW(with, structure, unit, Engine) row<Engine::Request, BoxRsp, Engine::answer>(Unit::unit),
+#define RAYCLOCK_ROW(with, structure, unit, Engine) \
+    row<Engine::Request, NodeAnswer, Engine::answer>(Unit::unit),
                              RAYCLOCK_ENGINES(RAYCLOCK_ROW, )
 #undef RAYCLOCK_ROW
 };

@@ -31,7 +31,7 @@ struct Globes {
         return globe_children(form, node, config, t_near);
     }
     static const WideNode& children(const Wide& node) { return node.children; }
-    static BoxRsp answer(const Request& request, const Config& config) { return globe(request, config); }
+    static NodeAnswer answer(const Request& request, const Config& config) { return globe(request, config); }
 };
 
 }   // namespace rayclock::engine

@@ -123,7 +123,7 @@ std::string host_constants(const Config& config) {
         (u < pipeline_units ? pipeline : shared).push_back(is_there(Unit(u), config));
     text += constant("TallyBits", tally_bits) + constant("PipelineUnits", pipeline_units);
     for (std::size_t u = 0; u < pipeline_units; ++u)   // the place of a unit's cause; node units follow
-        if (!decides_nodes(Unit(u))) text += constant(camel(unit_infos[u].name) + "Unit", std::uint32_t(u));
+        if (!is_node_unit(Unit(u))) text += constant(camel(unit_infos[u].name) + "Unit", std::uint32_t(u));
     text += constant("DecideUnit", std::uint32_t(index(node_unit(config.engine()).unit)));
     text += constant("MeshUnit", std::uint32_t(index(node_unit(config.lower_engine()).unit)));
     text += constant("SharedUnits", shared_units) + list("PipelineUnitsThere", pipeline, 1);
@@ -466,11 +466,11 @@ void enumerations(Package& p) {
                                  {"Answers", CacheOutcome::answers}});
     for (std::size_t u = 0; u < unit_count; ++u) {
         const UnitInfo& unit = unit_infos[u];
-        if (unit.place < UnitPlace::outside && !decides_nodes(Unit(u)) &&
+        if (unit.place < UnitPlace::outside && !is_node_unit(Unit(u)) &&
             unit.causes.back().kind == CauseKind::none)
             p.causes(unit.name, unit);
     }
-    p.causes("decide", unit_infos[index(node_units[0].unit)]);   // for all units that decide nodes
+    p.causes("decide", unit_infos[index(node_units[0].unit)]);   // for all node units
 }
 
 }   // namespace

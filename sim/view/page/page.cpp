@@ -121,7 +121,7 @@ nlohmann::ordered_json explanations_json(const PageInput& input) {
     return html::base64(html::deflated(texts.dump()));
 }
 
-/// Returns the units that decide nodes, for the scripts. They have one place and one colour.
+/// Returns the node units, for the scripts. They have one place and one colour.
 std::string node_units_script() {
     std::string names;
     for (const NodeUnit& u : node_units) names += fmt::format("\"{}\",", unit_name(u.unit));
