@@ -99,8 +99,8 @@ template <class See> void PayloadReplay::operator()(const Move& m, See&& see) {
         case Link::tri_req: {
             Walk& w = walk(m);
             const Ray& r = w.ray();
-            emit(TriReq{m.id, w.o(), w.d(), w.primitive(), w.best(), r.shear, r.kind, r.self, r.inside,
-                        r.partial});
+            emit(TriReq{m.id, w.o(), w.d(), w.primitive(), w.best(), r.shear, r.kind, r.self, r.is_inside,
+                        r.is_partial});
             w.test_triangle();
             return;
         }

@@ -74,11 +74,11 @@ mutant(judge_plane_rounded_to_zero FILE model/unit/isect/any.cpp TEST simulate "
   OLD [[if (scaled < 0 && whole * det != scaled) --whole;]]
   NEW [[;]])
 mutant(judge_sphere_shades_itself FILE model/unit/isect/any.cpp TEST simulate "balls:1 --depth 1"
-  OLD [[if (sphere.prim == ray.self) return seen_inside && ray.inside != 0 && from_outside;]]
+  OLD [[if (sphere.prim == ray.self) return seen_inside && ray.is_inside != 0 && from_outside;]]
   NEW [[if (sphere.prim == ray.self) return from_outside;]])
 mutant(judge_sphere_left_is_met_again FILE model/unit/isect/any.cpp TEST simulate "spheres --depth 3"
-  OLD [[    if (own && !ray.inside) return;]]
-  NEW [[    if (own && ray.inside) return;]])
+  OLD [[    if (own && !ray.is_inside) return;]]
+  NEW [[    if (own && ray.is_inside) return;]])
 mutant(judge_sphere_t_rounded_down FILE model/unit/isect/any.cpp TEST simulate "spheres --depth 1"
   OLD [[return std::uint32_t((num + det - 1) / det);]]
   NEW [[return std::uint32_t(num / det);]])
@@ -86,7 +86,7 @@ mutant(judge_sphere_t_rounded_down FILE model/unit/isect/any.cpp TEST simulate "
 # ---- Planes beyond the lattice.
 mutant(judge_finite_ray_meets_planes FILE model/unit/isect/any.cpp TEST simulate
   "scenes/pebble.json --depth 1"
-  OLD [[if (ray.partial && ends_at_any(ray.kind) == (PrimKind(prim.kind) == PrimKind::plane)) return;]]
+  OLD [[if (ray.is_partial && ends_at_any(ray.kind) == (PrimKind(prim.kind) == PrimKind::plane)) return;]]
   NEW [[]])
 mutant(judge_lights_all_in_the_eye_s_cell FILE model/compile/surfaces.cpp TEST simulate
   "scenes/pond.json --depth 2"

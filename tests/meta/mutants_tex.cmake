@@ -175,11 +175,11 @@ mutant(tex_model_path_wraps FILE model/unit/shade/surf.cpp TEST unit ${path_case
   OLD [[std::min<std::uint64_t>(in.state.path + length, (std::uint64_t(1) << c.path_bits()) - 1)]]
   NEW [[(in.state.path + length) & ((std::uint64_t(1) << c.path_bits()) - 1)]])
 mutant(tex_model_path_goes_on_in_the_next_sample QUICK FILE model/unit/shade/pass.cpp TEST unit ${path_cases}
-  OLD [[s.depth = 0, s.cell = 0, s.path = 0, s.holes = 0;]]
-  NEW [[s.depth = 0, s.cell = 0, s.holes = 0;]])
+  OLD [[s.depth = 0, s.in_cell = 0, s.path = 0, s.holes = 0;]]
+  NEW [[s.depth = 0, s.in_cell = 0, s.holes = 0;]])
 mutant(tex_model_path_of_a_waiting_ray_lost FILE model/unit/shade/pass.cpp TEST unit ${path_cases}
-  OLD [[s.cell = ray.cell, s.path = ray.path;]]
-  NEW [[s.cell = ray.cell;]])
+  OLD [[s.in_cell = ray.in_cell, s.path = ray.path;]]
+  NEW [[s.in_cell = ray.in_cell;]])
 mutant(tex_model_ambient_before_texture FILE model/unit/shade/surf.cpp TEST unit ${path_cases}
   OLD [[if (s.record != 0) return {};]]
   NEW [[;]])
@@ -545,8 +545,8 @@ mutant(simulate_tex_sphere_axes_swapped FILE model/unit/shade/surf.cpp TEST simu
   OLD [[half * std::abs(n[0]) / sum, q = half * std::abs(n[2]) / sum;]]
   NEW [[half * std::abs(n[2]) / sum, q = half * std::abs(n[0]) / sum;]])
 mutant(simulate_tex_sphere_as_the_viewer_sees_it FILE model/unit/shade/pass.cpp TEST simulate ${globe}
-  OLD [[    if (s.round) {]]
-  NEW [[    if (s.round && s.normal[0] > 0) {]])
+  OLD [[    if (s.is_round) {]]
+  NEW [[    if (s.is_round && s.normal[0] > 0) {]])
 mutant(simulate_tex_sphere_density_of_a_disc FILE model/scene/texture.cpp TEST simulate ${globe}
   OLD [[log2_of_4_pi = 3.6514961294723187;]]
   NEW [[log2_of_4_pi = 1.6514961294723187;]])

@@ -74,13 +74,13 @@ ShadeState written(ShadeState s, std::uint32_t changes, const ShadeState& kept, 
     if (!(changes & point_group))
         s.o = kept.o, s.normal = kept.normal, s.view = kept.view, s.cosine = kept.cosine;
     if (!(changes & inner_group)) s.inner = kept.inner;
-    if (!(changes & face_group)) s.n = kept.n, s.far = kept.far, s.lost = kept.lost;
+    if (!(changes & face_group)) s.n = kept.n, s.is_far = kept.is_far, s.is_lost = kept.is_lost;
     if (!(changes & albedo_group)) s.albedo = kept.albedo;
     if (!(changes & share_group)) s.share = kept.share;
     s.diffuse = wanted.diffuse, s.highlight = wanted.highlight, s.mirror = wanted.mirror,
     s.shine = wanted.shine;
     s.transmit = wanted.transmit, s.ratio = wanted.ratio, s.schlick = wanted.schlick, s.r0 = wanted.r0;
-    s.self = wanted.self, s.inside = wanted.inside;
+    s.self = wanted.self, s.is_inside = wanted.is_inside;
     s.ambient = wanted.ambient, s.record = wanted.record;
     return s;
 }
@@ -101,7 +101,7 @@ void judge(const RtlModule& rtl, const PassIn& in, const Frame& frame, const Con
                                      seen(in.state, c), out.state);
     CAPTURE(state.next_event, out.state.next_event, state.colour, out.state.colour, state.o, out.state.o,
             state.n, out.state.n, state.normal, out.state.normal);
-    CAPTURE(state.view, out.state.view, state.cosine, out.state.cosine, state.far, out.state.far,
+    CAPTURE(state.view, out.state.view, state.cosine, out.state.cosine, state.is_far, out.state.is_far,
             state.albedo, out.state.albedo);
     CAPTURE(state.share, out.state.share, state.light, out.state.light, state.pending, out.state.pending,
             state.weight, out.state.weight);
@@ -356,10 +356,10 @@ TEST_CASE("a sphere's request has the place of its outward normal in the octahed
         Vec3l toward{};
         for (auto& x : toward) x = draw.percent(15) ? 0 : draw.number(draw.between(2, 40));
         if (toward == Vec3l{}) continue;
-        s.normal = unit_vector(toward), s.inside = draw.percent(25);
+        s.normal = unit_vector(toward), s.is_inside = draw.percent(25);
         const auto [u, v] = octahedral(s, c);
         std::array<std::int64_t, 3> n{};
-        for (std::size_t k = 0; k < 3; ++k) n[k] = s.inside ? -s.normal[k] : s.normal[k];
+        for (std::size_t k = 0; k < 3; ++k) n[k] = s.is_inside ? -s.normal[k] : s.normal[k];
         const std::int64_t sum = std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]) + 1,
                            half = std::int64_t(1) << (c.bary_bits - 1);
         // The distance from the middle, in exact fractions rounded down: x and z on the octahedron. In the
@@ -368,7 +368,7 @@ TEST_CASE("a sphere's request has the place of its outward normal in the octahed
         const std::int64_t across = n[1] < 0 ? half - z : x, down = n[1] < 0 ? half - x : z;
         REQUIRE(std::int64_t(u) == half + (n[0] < 0 ? -across : across));
         REQUIRE(std::int64_t(v) == half + (n[2] < 0 ? -down : down));
-        lower += n[1] < 0, inside += s.inside != 0, edges += across == half || down == half;
+        lower += n[1] < 0, inside += s.is_inside != 0, edges += across == half || down == half;
         // The direction of that place is the normal, within the steps of u and v.
         const glm::dvec2 place = glm::dvec2(u, v) / double(2 * half);
         const glm::dvec3 out = glm::normalize(glm::dvec3(n[0], n[1], n[2]));
@@ -452,7 +452,7 @@ TEST_CASE("a ray continues through a hole with the same direction and weight", "
         const Frame frame = random_shade_frame(draw, c);
         PassIn in = without_cutout(random_pass(draw, frame, c));
         in.state.next_event = std::uint32_t(ShadeEvent::texture);
-        in.state.far = in.state.lost = 0;
+        in.state.is_far = in.state.is_lost = 0;
         for (std::size_t k = 0; const std::int32_t x : draw_place(draw, c)) in.state.o[k++] = x;
         for (std::size_t k = 0; const std::int32_t x : draw_place(draw, c)) in.state.inner[k++] = x;
         in.hole = 1;
@@ -465,7 +465,7 @@ TEST_CASE("a ray continues through a hole with the same direction and weight", "
         REQUIRE(is.next_event == std::uint32_t(ShadeEvent::arrive));
         REQUIRE(is.holes == was.holes + 1);
         REQUIRE((is.depth == was.depth && is.weight == was.weight && is.path == was.path));
-        REQUIRE((is.cell == was.cell && is.waiting == was.waiting && is.sample == was.sample));
+        REQUIRE((is.in_cell == was.in_cell && is.waiting == was.waiting && is.sample == was.sample));
         // Earlier contributions of lights remain, but the surface adds no ambient light.
         const bool adds = was.pending == std::uint32_t(Pending::sure) ||
                           (was.pending == std::uint32_t(Pending::answer) && !in.hit.found);
@@ -476,7 +476,8 @@ TEST_CASE("a ray continues through a hole with the same direction and weight", "
         REQUIRE(out.spawn.kind == std::uint32_t(RayKind::bounce));
         REQUIRE(out.spawn.d == in.d);
         for (std::size_t k = 0; k < 3; ++k) REQUIRE(out.spawn.o[k] == was.o[k]);
-        REQUIRE((out.spawn.self == was.self && out.spawn.inside == was.inside && !out.spawn.partial));
+        REQUIRE(
+            (out.spawn.self == was.self && out.spawn.is_inside == was.is_inside && !out.spawn.is_partial));
         if (!c.has_homes()) continue;
         // In the mesh's space the ray starts from the point in the mesh.
         REQUIRE(out.spawn.home.line == in.placement.home());

@@ -77,7 +77,7 @@ std::array<oracle::Rational, 2> place_of(const Spawn& spawn, const Frame& frame,
 void judge(const Spawn& spawn, const Ray& ray, const Frame& frame, const Config& config) {
     CAPTURE(spawn.kind, spawn.x, spawn.y, spawn.sample);
     REQUIRE((ray.ray == spawn.ray && ray.kind == spawn.kind));
-    REQUIRE((ray.self == spawn.self && ray.inside == spawn.inside));
+    REQUIRE((ray.self == spawn.self && ray.is_inside == spawn.is_inside));
     const bool camera = spawn.kind == 0, shadow = spawn.kind == 2;
     const auto at = place_of(spawn, frame, config);
     std::array<oracle::Rational, 3> sum;

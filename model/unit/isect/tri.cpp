@@ -30,8 +30,8 @@ TriRsp tri(const TriReq& req, const Config& config) {
         ray.d = req.d;
         ray.kind = req.kind;
         ray.self = req.self;
-        ray.inside = req.inside;
-        ray.partial = req.partial;
+        ray.is_inside = req.is_inside;
+        ray.is_partial = req.is_partial;
         any_test(ray, req.triangle, req.best, config, rsp);
     } else if (config.is_sheared()) {
         sheared_test(req.o, req.shear, req.triangle, req.best, config, rsp);

@@ -88,8 +88,8 @@ Ray spawn_ray(const Spawn& spawn, const Frame& frame, const Config& config) {
                   : make_ray(spawn.o, spawn.d, config, kind);
     ray.ray = spawn.ray;
     ray.self = spawn.self;
-    ray.inside = spawn.inside;
-    ray.partial = spawn.partial;
+    ray.is_inside = spawn.is_inside;
+    ray.is_partial = spawn.is_partial;
     ray.holes = spawn.holes;
     ray.home = spawn.home;
     return ray;

@@ -179,7 +179,7 @@ bool Guide::is_within_root(const RefPath& path, const RefClosest& own, const Mac
 bool Guide::is_beyond_horizon(const RefPath& path, const RefClosest& own, const MachineVisit& at) const {
     if (at.parent < 0) return false;
     const MachineVisit& from = path_.visits[std::size_t(at.parent)];
-    if (!from.state.far || at.ray.partial) return false;
+    if (!from.state.is_far || at.ray.is_partial) return false;
     const Scene& scene = rules_.scene;
     if (own.primitive == no_primitive || own.primitive < scene.triangles.size() + scene.spheres.size())
         return false;
@@ -216,7 +216,7 @@ RefPath Guide::from_far(const RefPath& path, const MachineVisit& at) {
 RefClosest Guide::met(const RefPath& sent, const RefClosest& closest) {
     const MachineVisit* at = visit();
     const Scene& scene = rules_.scene;
-    const bool is_far = at && at->ray.partial;
+    const bool is_far = at && at->ray.is_partial;
     const RefPath path = is_far ? from_far(sent, *at) : sent;
     const RefClosest own = is_far ? rules_.reference.geometry().closest(path) : closest;
     if (!at) {   // the machine sent no ray: the ray misses the lattice and gets the background
@@ -385,7 +385,7 @@ glm::dvec3 Guide::square(const RefClosest& hit, const Material& material, const 
     const bool is_average = is(0.5 * (material.colour + material.other)),
                is_either = is(material.colour) || is(material.other);
     const bool is_fine = std::max(side_u, side_v) * fine > 0.25;
-    if ((is_average && (at->state.lost || is_fine)) ||
+    if ((is_average && (at->state.is_lost || is_fine)) ||
         (is_either && (is_near(hit.u, side_u) || is_near(hit.v, side_v)))) {
         tie();
         return seen;
@@ -529,7 +529,7 @@ void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& ow
     // A bounce from beyond the lattice stores its origin divided by 2^far_drop. Where t is saturated, the
     // machine measures the path from this stored point.
     const Config& config = rules_.inputs.config;
-    if (kind == PrimKind::plane && at->ray.partial != 0 && at->hit.t == (1u << config.t_bits()) - 1) {
+    if (kind == PrimKind::plane && at->ray.is_partial != 0 && at->hit.t == (1u << config.t_bits()) - 1) {
         const double scale = rules_.reference.geometry().space().scale;
         const Vec3i& o = at->ray.o;
         const glm::dvec3 from = point({o[0], o[1], o[2]}, config.origin_frac());
@@ -593,7 +593,7 @@ void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& ow
 void Guide::place(RefSurface& surface) {
     const MachineVisit* at = visit();
     if (!at || !at->hit.found || at->hit.prim != surface.primitive) return;
-    if (at->state.lost) {
+    if (at->state.is_lost) {
         finding_.has_lost = true;
         return;
     }
@@ -656,7 +656,7 @@ bool Guide::counts(std::size_t light, double side, double lambert) {
     const MachineLight& seen = at->lights[light];
     const bool machine = seen.was_sent || seen.is_lit;
     if (machine == own) return own;
-    const bool is_exact = !is_turned(*at) && !at->state.far && !(rules_.placed && at->state.far) &&
+    const bool is_exact = !is_turned(*at) && !at->state.is_far && !(rules_.placed && at->state.is_far) &&
                           rules_.inputs.frame.shade.near[light] != 0;
     const double side_error =
         is_exact ? 4 * tie_size : 2 * vector_error + std::exp2(2 - rules_.inputs.config.dir_bits);
@@ -670,7 +670,7 @@ bool Guide::counts(std::size_t light, double side, double lambert) {
         fail("a light counts that lies behind the surface");
         return true;
     }
-    if (at->state.far) return true;   // the machine treats it as hidden; is_blocked() checks this
+    if (at->state.is_far) return true;   // the machine treats it as hidden; is_blocked() checks this
     fail("a light that the surface faces does not count");
     return own;
 }
@@ -708,8 +708,8 @@ bool Guide::is_hidden_beyond_horizon(std::size_t light, const RefPath& path, dou
         std::count_if(scene.planes.begin(), scene.planes.end(),
                       [&](const Plane& plane) { return scene.materials[plane.material].transmit > 0; });
     const bool is_beyond = rules_.inputs.frame.shade.near[light] == 0;
-    if (at.state.lost || (finding_.has_horizon && (at.state.far || is_beyond))) return true;
-    if (at.state.far && is_beyond && !at.lights[light].is_lit) {
+    if (at.state.is_lost || (finding_.has_horizon && (at.state.is_far || is_beyond))) return true;
+    if (at.state.is_far && is_beyond && !at.lights[light].is_lit) {
         const RefClosest behind = rules_.reference.geometry().closest(path);
         if (behind.primitive != no_primitive && behind.depth > distance) return true;
     }
@@ -719,8 +719,8 @@ bool Guide::is_hidden_beyond_horizon(std::size_t light, const RefPath& path, dou
         const glm::dvec3 n = glm::normalize(glm::cross(plane.u, plane.v));
         return std::abs(glm::dot(n, from - plane.point)) <= tie_size * glm::length(from - plane.point);
     });
-    if (holds_eye && (at.state.far || is_beyond) && !at.lights[light].is_lit) return true;
-    if (transmitting <= rules_.inputs.config.panes || (!at.state.far && !is_beyond)) return false;
+    if (holds_eye && (at.state.is_far || is_beyond) && !at.lights[light].is_lit) return true;
+    if (transmitting <= rules_.inputs.config.panes || (!at.state.is_far && !is_beyond)) return false;
     const std::vector<std::uint32_t> blockers = rules_.reference.geometry().blockers(path, distance);
     return std::all_of(blockers.begin(), blockers.end(), [&](std::uint32_t primitive) {
         return primitive >= scene.triangles.size() + scene.spheres.size();
@@ -827,7 +827,7 @@ bool Guide::goes(RefBounce& bounce) {
     const bool is_side_close = std::abs(side) <= error;
     if (child == MachineVisit::none) {
         if (is_reflected ? at->is_reflected_past : at->is_refracted_past) {   // misses the lattice: see met()
-            if (rules_.inputs.config.horizon && !at->state.lost)
+            if (rules_.inputs.config.horizon && !at->state.is_lost)
                 fail("a bounce beyond the lattice is not sent");
             if (!own) tie();
             return true;

@@ -138,9 +138,10 @@ const char* no_place(const Closest& answer) {
 
 SolidRay solid_ray(const Ray& ray, const Config& c) {
     const auto kind = RayKind(ray.kind);
-    SolidRay r{ray.o, c.origin_frac(), ray.d, no_primitive, ray.inside != 0};
-    if (ray.partial != 0 && ends_at_any(ray.kind)) r.targets = SolidRay::Targets::bounded;
-    if (ray.partial != 0 && kind == RayKind::bounce) {   // its origin has lost bits: docs/proofs/origins.md
+    SolidRay r{ray.o, c.origin_frac(), ray.d, no_primitive, ray.is_inside != 0};
+    if (ray.is_partial != 0 && ends_at_any(ray.kind)) r.targets = SolidRay::Targets::bounded;
+    // The origin of a bounce from beyond the lattice has lost bits: docs/proofs/origins.md.
+    if (ray.is_partial != 0 && kind == RayKind::bounce) {
         r.targets = SolidRay::Targets::planes;
         r.frac -= light_reach + 1;
     }

@@ -35,8 +35,8 @@ Bend promised_bend(const ShadeState& s) {
 
 PathJudge::Branch PathJudge::bounce(const ShadeState& s, const Weight& weight, const Start& start,
                                     const Vec3i& d, bool through) const {
-    return {{RayKind::bounce, start.o, d, s.self, s.inside ^ std::uint32_t(through), start.is_beyond, through,
-             rules_.placed ? home_of(s, d) : Home{}},
+    return {{RayKind::bounce, start.o, d, s.self, s.is_inside ^ std::uint32_t(through), start.is_beyond,
+             through, rules_.placed ? home_of(s, d) : Home{}},
             weight.promised,
             branch_.depth + 1,
             through ? branch_.cell ^ place_.pane : branch_.cell,
@@ -107,8 +107,8 @@ void PathJudge::refract(const PassIn& in, const PassOut& out) {
     demand(out.push, "a refracted ray is missing");
     waiting_.push_back(bounce(s, weight, *start, d, true));
     const Expected& ray = waiting_.back().ray;
-    const Waiting expected{ray.o,    ray.d,      weight.promised,      branch_.depth + 1,
-                           ray.self, ray.inside, waiting_.back().cell, ray.is_partial,
+    const Waiting expected{ray.o,    ray.d,         weight.promised,      branch_.depth + 1,
+                           ray.self, ray.is_inside, waiting_.back().cell, ray.is_partial,
                            path_,    ray.home};
     demand(out.pushed.weight == expected.weight, "a bounce's weight is not the product of what makes it");
     demand(out.pushed == expected, "a refracted ray does not go where Snell's law sends it");

@@ -87,7 +87,7 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
             far_way = by_axis([&](std::size_t k) { return s.o[k] - in.o[k]; });
         path_ = path_length(path_, in.d, answer_.t, far_way, config_);
         demand(s.record == place_.surface.record && s.ambient == place_.surface.ambient &&
-                   (s.round != 0) == (PrimKind(place_.surface.kind) == PrimKind::sphere),
+                   (s.is_round != 0) == (PrimKind(place_.surface.kind) == PrimKind::sphere),
                "the material that was hit is not kept");
     }
     if (place_.texture && !rules_.placed) return demand_texture(s, out);
@@ -152,7 +152,7 @@ void PathJudge::texture(const PassIn& in, const PassOut& out) {
         return demand_lights(s);
     }
     // The ray starts at the hit point in the triangle, keeps its direction, and leaves on the other side.
-    Expected ray{RayKind::bounce, {}, bounce_ray_.d, s.self, s.inside};
+    Expected ray{RayKind::bounce, {}, bounce_ray_.d, s.self, s.is_inside};
     ray.o = by_axis([&](std::size_t k) { return std::int32_t(s.o[k]); });
     ray.is_refracted = true;
     if (rules_.placed) ray.home = home_of(s, ray.d);
@@ -209,7 +209,7 @@ void PathJudge::judge_place(const PassIn& in, const ShadeState& s) {
         judge_flat_place(in, s, toward);
     }
     judge_vectors(in, s, toward);
-    demand(s.self == answer_.prim && s.inside == answer_.back, "the surface that was hit is not kept");
+    demand(s.self == answer_.prim && s.is_inside == answer_.back, "the surface that was hit is not kept");
     demand(s.diffuse == surface.diffuse && s.highlight == surface.highlight && s.mirror == surface.mirror &&
                s.transmit == surface.transmit && s.shine == surface.shine && s.schlick == surface.schlick &&
                s.r0 == surface.r0,
@@ -266,7 +266,8 @@ void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& t
         is_plane && (hit_u == last || hit_v == last || hit_u == -last - 1 || hit_v == -last - 1);
     place_.is_lost = ends || beyond;
     place_.is_far = place_.is_lost || (config_.planes && outside);
-    demand((s.far != 0) == place_.is_far && (s.lost != 0) == place_.is_lost, "a point is far off, or is not");
+    demand((s.is_far != 0) == place_.is_far && (s.is_lost != 0) == place_.is_lost,
+           "a point is far off, or is not");
     for (std::size_t k = 0; k < 3; ++k) {
         demand(s.n[k] == normal[k] * (answer_.back ? -1 : 1),
                "the normal is not the triangle's, turned to the side that is seen");
@@ -338,7 +339,7 @@ void PathJudge::judge_sphere_place(const PassIn& in, const ShadeState& s) {
         demand(s.n[k] == (answer_.back ? -normal : normal),
                "the normal is not the sphere's, turned to the side that is seen");
     }
-    demand(s.far == 0 && s.lost == 0, "a sphere is never far off");
+    demand(s.is_far == 0 && s.is_lost == 0, "a sphere is never far off");
     demand(s.albedo == place_.surface.colour, "the colour is not the surface's");
 }
 
@@ -383,7 +384,7 @@ void PathJudge::light(const PassIn& in, const PassOut& out, std::uint32_t number
 
     // A shadow ray goes exactly from the light to a point within the lattice. Otherwise the ray leaves the
     // point along a rounded direction.
-    Expected ray{to_the_point ? RayKind::shadow : RayKind::away, {}, {}, s.self, s.inside};
+    Expected ray{to_the_point ? RayKind::shadow : RayKind::away, {}, {}, s.self, s.is_inside};
     for (std::size_t k = 0; k < 3; ++k)
         ray.d[k] =
             to_the_point ? std::int32_t(-way[k]) : (near ? -1 : 1) * direction_component(out.light.unit[k]);

@@ -108,9 +108,9 @@ PlacedWorld::PlacedWorld(const FrameInputs& inputs, const MemoryImage& image)
         placed.is_mirrored = glm::determinant(linear) < 0;
         placed.is_same = linear == std::ldexp(1.0, config_.map_frac()) * glm::dmat3(1) &&
                          place.b == std::array<std::int64_t, 3>{};
-        if (is_there && config_.shading && (map.same != 0) != placed.is_same)
-            fault(map.same ? " is said to be placed by the identity, and is not"
-                           : " is placed by the identity, and memory does not say so");
+        if (is_there && config_.shading && (map.is_same != 0) != placed.is_same)
+            fault(map.is_same ? " is said to be placed by the identity, and is not"
+                              : " is placed by the identity, and memory does not say so");
         if (is_there && placed.mesh == own_round && !placed.is_same) fault(" are not placed by the identity");
     }
     std::vector<Solids> meshes;

@@ -199,7 +199,7 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
         s.path = std::uint32_t(draw.natural(draw.between(1, c.path_bits())));
         s.ambient = share_up_to(draw, share_bits);
         s.record = draw.coin() ? 0 : std::uint32_t(draw.natural(c.addr_bits));
-        s.round = c.spheres && draw.coin();
+        s.is_round = c.spheres && draw.coin();
         s.holes = std::uint32_t(draw.coin()        ? 0
                                 : draw.percent(40) ? most_holes
                                 : draw.percent(40) ? most_holes - 1
@@ -230,29 +230,29 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
     s.weight = share_up_to(draw, unit_bits);
     s.depth = std::uint32_t(draw.below(15));
     for (std::size_t k = 0; const std::int32_t x : draw_place(draw, c)) s.o[k++] = x;
-    s.far = c.planes && !is_textured && draw.percent(30), s.lost = s.far && draw.percent(20);
-    if (s.far)
+    s.is_far = c.planes && !is_textured && draw.percent(30), s.is_lost = s.is_far && draw.percent(20);
+    if (s.is_far)
         for (auto& x : s.o) x = draw.number(draw.between(c.origin_width(), c.point_width() - 1));
     for (auto& x : s.n) x = draw.percent(5) ? 0 : draw.number(c.normal_bits() - 1);
     if (draw.percent(5)) s.n = {};   // so that a direction lies in the plane
     s.normal = draw_unit(draw), s.view = draw_unit(draw);
     s.cosine = share_up_to(draw, unit_bits);
-    s.self = std::uint32_t(draw.natural(c.prim_bits)), s.inside = draw.coin();
+    s.self = std::uint32_t(draw.natural(c.prim_bits)), s.is_inside = draw.coin();
     s.albedo = shares_up_to(draw, share_bits);
     for (auto* x : {&s.diffuse, &s.highlight}) *x = share_up_to(draw, share_bits);
     for (auto* x : {&s.mirror, &s.transmit, &s.r0}) *x = share_up_to(draw, unit_bits);
     s.shine = std::uint32_t(draw.natural(draw.between(1, shine_bits)));
     s.ratio = std::uint32_t(draw.percent(70) ? draw.between(2000, 8000) : int(draw.natural(ratio_bits)));
     s.schlick = draw.coin();
-    s.cell = random_cell(draw, c), s.across = random_cell(draw, c);
+    s.in_cell = random_cell(draw, c), s.across = random_cell(draw, c);
     const bool has_light = frame.shade.lights > 0 && !is_textured;   // before its lights, the number is 0
     s.light = has_light ? std::uint32_t(draw.below(int(frame.shade.lights))) : 0;
     s.total = c.refraction && draw.coin();
     if (c.has_textures()) draw_light_of_holes(draw, frame, s);
-    if (s.far && draw.percent(70)) aim_far(draw, frame, c, s);
+    if (s.is_far && draw.percent(70)) aim_far(draw, frame, c, s);
     if (c.has_homes()) {
         const Vec3i within = draw_place(draw, c);
-        for (std::size_t k = 0; k < 3; ++k) s.inner[k] = s.far ? s.o[k] : within[k];
+        for (std::size_t k = 0; k < 3; ++k) s.inner[k] = s.is_far ? s.o[k] : within[k];
     }
     return s;
 }
@@ -260,8 +260,8 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
 /// A plane or a sphere never belongs to a transformed instance.
 inline Placement pass_placement(Draw& draw, const Config& c, const ShadeState& state) {
     Placement p = random_placement(draw, c);
-    if (!state.far && !state.round && draw.percent(70)) return p;
-    p.same = 1, p.a = {}, p.b = {};
+    if (!state.is_far && !state.is_round && draw.percent(70)) return p;
+    p.is_same = 1, p.a = {}, p.b = {};
     for (std::size_t k = 0; k < 3; ++k) p.a[4 * k] = 1 << c.map_frac();
     return p;
 }
@@ -283,8 +283,8 @@ inline PassIn random_pass(Draw& draw, const Frame& frame, const Config& c) {
     if (c.refraction) {
         in.top.o = draw_place(draw, c), in.top.d = draw.vector(c.dir_bits);
         in.top.weight = share_up_to(draw, unit_bits), in.top.depth = std::uint32_t(draw.below(16));
-        in.top.self = std::uint32_t(draw.natural(c.prim_bits)), in.top.inside = draw.coin();
-        in.top.cell = random_cell(draw, c), in.top.partial = c.horizon && draw.coin();
+        in.top.self = std::uint32_t(draw.natural(c.prim_bits)), in.top.is_inside = draw.coin();
+        in.top.in_cell = random_cell(draw, c), in.top.is_partial = c.horizon && draw.coin();
         if (c.has_textures()) in.top.path = std::uint32_t(draw.natural(c.path_bits()));
     }
     if (c.has_textures()) in.texel = shares_up_to(draw, share_bits), in.hole = draw.coin();
