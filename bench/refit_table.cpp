@@ -77,7 +77,7 @@ void times(const Config& config) {
         const Scene rest = tube(n, 0);
         const Lattice lattice = lattice_of(rest, config);
         const std::vector<PrimData> before = prims_of(rest, lattice), after = prims_of(tube(n, 9), lattice);
-        std::vector<std::uint32_t> words(16 * Refit::most_lines(before.size()));
+        std::vector<std::uint32_t> words(16 * Refit::max_lines(before.size()));
         double least[2] = {1e9, 1e9};
         for (int run = 0; run < (n < 200 ? 9 : 3); ++run)
             for (const bool is_built : {true, false}) {

@@ -20,7 +20,7 @@ struct PlaneOnLattice {
 PlaneOnLattice plane_on_lattice(const Plane& plane, const Lattice& lattice);
 
 /// Returns the coordinates of a texture at the corners a, b and c of a plane on the lattice, shifted by whole
-/// periods as for triangles (near_zero()). Returns nothing if one of them exceeds most_coordinate. The
+/// periods as for triangles (near_zero()). Returns nothing if one of them exceeds max_coordinate. The
 /// corners then span about 126 pictures or more, or the texture clamps and its picture lies far from a.
 std::optional<CornerCoordinates> plane_coordinates(const Plane& plane, const PlaneOnLattice& on,
                                                    const Texture& texture);

@@ -68,8 +68,7 @@ Scene load_scene(const std::string& spec, const Progress& progress, Primitives p
         JsonLoad load = load_anything(spec, primitives, loading);
         settle_textures(load.scene, printable(spec), loading);
         if (notes) *notes = loading.notes();
-        if (primitive_count(load.scene) > most_unfolded)
-            return folded_scene(std::move(load), printable(spec));
+        if (primitive_count(load.scene) > max_unfolded) return folded_scene(std::move(load), printable(spec));
         Scene scene = flattened(std::move(load.scene));
         check_scene(scene, printable(spec));
         if (!load.has_lights) add_missing_lights(scene);

@@ -93,7 +93,7 @@ mutant(judge_lights_all_in_the_eye_s_cell FILE model/compile/surfaces.cpp TEST s
   OLD [[if (other) found.cell |= panes[i];]]
   NEW [[]])
 mutant(judge_squares_begin_at_the_corner FILE model/compile/plane.cpp TEST simulate "spheres --depth 1"
-  OLD [[surface.normal[i] = phase < 1 << most_level ? phase : phase - (2 << most_level);]]
+  OLD [[surface.normal[i] = phase < 1 << max_level ? phase : phase - (2 << max_level);]]
   NEW [[surface.normal[i] = 0 * phase;]])
 
 # ---- Two levels.

@@ -80,8 +80,8 @@ mutant(model_answer_tie_first_come FILE model/unit/isect/edges.hpp WITH tests/sy
 
 # ---- Camera rays and the frame: the ends of widths, the eye, the samples.
 mutant(model_raygen_moves_up_by_fourteen FILE model/unit/raygen/raygen.cpp TEST unit [raygen]
-  OLD [[0, most_shift);]]
-  NEW [[0, most_shift - 1);]])
+  OLD [[0, max_shift);]]
+  NEW [[0, max_shift - 1);]])
 mutant(model_raygen_direction_wraps FILE model/unit/raygen/raygen.cpp TEST unit [raygen]
   OLD [[>> drop), least,
                           most);]]

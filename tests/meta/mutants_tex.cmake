@@ -119,11 +119,11 @@ mutant(tex_model_holes_kept_by_the_next_sample FILE model/unit/shade/pass.cpp TE
   OLD [[s.path = 0, s.holes = 0;]]
   NEW [[s.path = 0;]])
 mutant(tex_model_holes_without_end FILE model/unit/shade/pass.cpp TEST unit ${path_cases}
-  OLD [[if (!in.hole || s.holes == most_holes) {]]
+  OLD [[if (!in.hole || s.holes == max_holes) {]]
   NEW [[if (!in.hole) {]])
 mutant(tex_model_one_hole_too_few FILE model/unit/shade/pass.cpp TEST unit ${hole_cases}
-  OLD [[if (!in.hole || s.holes == most_holes) {]]
-  NEW [[if (!in.hole || s.holes + 1 == most_holes) {]])
+  OLD [[if (!in.hole || s.holes == max_holes) {]]
+  NEW [[if (!in.hole || s.holes + 1 == max_holes) {]])
 mutant(tex_model_hole_from_the_old_origin FILE model/unit/shade/pass.cpp TEST unit ${hole_cases}
   OLD [[out.spawn.o[k] = std::int32_t(s.o[k]);]]
   NEW [[out.spawn.o[k] = in.o[k];]])
@@ -140,7 +140,7 @@ mutant(tex_model_pixel_keeps_the_hit_behind_a_hole FILE model/unit/shade/pass.cp
 # ---- Light through holes in the model.
 set(light_cases [hole]~[foliage]~[rtl])
 mutant(tex_model_light_holes_without_end FILE model/unit/shade/pass.cpp TEST unit ${light_cases}
-  OLD [[in.hole && in.state.light_holes < most_holes;]]
+  OLD [[in.hole && in.state.light_holes < max_holes;]]
   NEW [[in.hole;]])
 mutant(tex_model_light_holes_kept FILE model/unit/shade/pass.cpp TEST unit ${light_cases}
   OLD [[passes_hole(in) ? s.light_holes + 1 : 0;]]
@@ -240,8 +240,8 @@ mutant(simulate_tex_hole_has_ambient_light FILE model/unit/shade/pass.cpp TEST s
   OLD [[++s.holes;]]
   NEW [[add(s.colour, ambient), ++s.holes;]])
 mutant(simulate_tex_cutouts_hide_the_light FILE model/unit/shade/pass.cpp TEST simulate "room --depth 1"
-  OLD [[in.hole && in.state.light_holes < most_holes;]]
-  NEW [[in.hole && in.state.light_holes > most_holes;]])
+  OLD [[in.hole && in.state.light_holes < max_holes;]]
+  NEW [[in.hole && in.state.light_holes > max_holes;]])
 mutant(simulate_tex_light_ignores_an_opaque_cutout FILE model/unit/list/ray_tests.hpp
   WITH model/trace/record.cpp TEST simulate "room --depth 1"
   OLD [[            --holes_;]]

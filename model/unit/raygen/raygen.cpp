@@ -34,7 +34,7 @@ Vec3i direction_of(std::int64_t x, std::int64_t y, int frac, const Frame& frame,
         used |= std::uint64_t(sum[k] ^ sum[k] >> 63);
     }
     const int drop = guard_bits + frac,
-              shift = std::clamp(config.dir_bits - 1 + drop - int(std::bit_width(used)), 0, most_shift);
+              shift = std::clamp(config.dir_bits - 1 + drop - int(std::bit_width(used)), 0, max_shift);
     const std::int32_t most = (1 << (config.dir_bits - 1)) - 1,
                        least = config.has_instances() ? -most : -most - 1;   // a mirror needs its opposite
     Vec3i d{};

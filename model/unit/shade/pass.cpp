@@ -216,8 +216,8 @@ void send_reflected(const PassIn& in, const Frame& frame, const Config& c, PassO
 void show_texture(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
     const Colour ambient = apply_texture(in.texel, s);
-    static_assert(most_holes == (1 << hole_bits) - 1);
-    if (!in.hole || s.holes == most_holes) {
+    static_assert(max_holes == (1 << hole_bits) - 1);
+    if (!in.hole || s.holes == max_holes) {
         add(s.colour, ambient);
         return next_light(s, 0, frame, c);
     }
@@ -277,7 +277,7 @@ void finish(const PassIn& in, const Frame& frame, const Config& c, PassOut& out)
 }   // namespace
 
 bool passes_hole(const PassIn& in) {
-    return Pending(in.state.pending) == Pending::texture && in.hole && in.state.light_holes < most_holes;
+    return Pending(in.state.pending) == Pending::texture && in.hole && in.state.light_holes < max_holes;
 }
 
 ShadeEvent event_of(const PassIn& in) {

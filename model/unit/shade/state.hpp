@@ -38,7 +38,7 @@ struct ShadeState {
     std::uint32_t in_cell = 0;   ///< a bit for each pane, set if it lies between the ray and the eye
     std::uint32_t across = 0;    ///< the cell on the other side of the surface that was hit
     std::uint32_t path = 0;      ///< with textures: length of the path so far, as in TexReq
-    std::uint32_t holes = 0;     ///< with textures: number that the ray has passed; at most most_holes
+    std::uint32_t holes = 0;     ///< with textures: number that the ray has passed; at most max_holes
     // The surface that was hit.
     Vec3l o{};       ///< B fraction bits: a point exactly on it (nearly on it for a sphere or an instance)
     Vec3l inner{};   ///< with two levels: a point exactly on it in the mesh's space, B fraction bits
@@ -58,7 +58,7 @@ struct ShadeState {
     // The light.
     std::uint32_t light = 0;
     std::array<std::uint32_t, 3> share{};   ///< its contribution if it is not blocked
-    /// With textures: number of holes that the light has passed on its way, at most most_holes.
+    /// With textures: number of holes that the light has passed on its way, at most max_holes.
     std::uint32_t light_holes = 0;
     std::uint32_t total = 0;   ///< the refracted ray was totally reflected
     friend bool operator==(const ShadeState&, const ShadeState&) = default;

@@ -33,7 +33,7 @@ void declare_textures(Parser& parser, TexturesOptions& o) {
         .by_commas()
         .with_default();
     parser.option("--size", o.size, "size of the pictures, WIDTHxHEIGHT").with_default();
-    parser.option("--depth", o.depth, "bounces of a camera ray").within(0, most_depth).with_default();
+    parser.option("--depth", o.depth, "bounces of a camera ray").within(0, max_depth).with_default();
     threads_option(parser, o.threads);
     json_option(parser, o.json);
 }

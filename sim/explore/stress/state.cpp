@@ -55,8 +55,8 @@ std::string check_of(const ordered_json& batches, const ordered_json& counts) {
 
 std::uint64_t read_state(const Plan& plan, std::vector<Cell>& cells, std::uint64_t batches_in_all,
                          const RaysOfCells& rays_after) {
-    constexpr std::uint64_t most_bytes = std::uint64_t{1} << 24;
-    return parse_state(plan, read_file(plan.state, {}, most_bytes, Owner::program), cells, batches_in_all,
+    constexpr std::uint64_t max_bytes = std::uint64_t{1} << 24;
+    return parse_state(plan, read_file(plan.state, {}, max_bytes, Owner::program), cells, batches_in_all,
                        rays_after);
 }
 

@@ -54,6 +54,6 @@ private:
     Rng rng_;
 };
 
-inline std::int32_t most_of(int bits) { return (1 << (bits - 1)) - 1; }
+inline std::int32_t max_of(int bits) { return (1 << (bits - 1)) - 1; }
 
 }   // namespace rayclock::torture

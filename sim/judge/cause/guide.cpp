@@ -20,8 +20,8 @@ namespace {
 
 /// The largest distance of a point from its triangle in an instance that turns rays, in steps of the scene:
 /// rho plus 3/4 of a step of the mesh (docs/machine/motion.md, Boxes). A step of the mesh is at most
-/// most_stretch steps of the scene.
-constexpr double most_turned = (8.5 + 0.75) * most_stretch;
+/// max_stretch steps of the scene.
+constexpr double max_turned = (8.5 + 0.75) * max_stretch;
 
 glm::dvec3 units_of(const Lattice& lattice, const glm::dvec3& steps) {
     return lattice.centre + lattice.pitch * steps;
@@ -506,8 +506,8 @@ Guide::TexturePlace Guide::place_on_plane(const MachineVisit& at, const RefClose
                 found.error[axis] += std::ldexp(std::abs(sides), -coordinate_frac);
             // These coordinates may not fit into a record. b and c may lie on opposite sides of a.
             const bool clamps = (axis == 0 ? texture.wrap_s : texture.wrap_t) == Wrap::clamp;
-            found.is_last = found.is_last || std::abs(step[axis]) > most_coordinate - 2 ||
-                            (clamps && std::abs(at_a[axis]) + std::abs(step[axis]) > most_coordinate - 1);
+            found.is_last = found.is_last || std::abs(step[axis]) > max_coordinate - 2 ||
+                            (clamps && std::abs(at_a[axis]) + std::abs(step[axis]) > max_coordinate - 1);
         }
     }
     return found;
@@ -620,7 +620,7 @@ void Guide::place(RefSurface& surface) {
         // The point lies on the scene's ray. The triangle lies where the instance's ray meets it.
         const glm::dvec3 off = (machine - surface.position) / step(), way = direction(d);
         if (glm::length(off - glm::dot(off, way) * way) > 2 * grain + tick + double_slack / step() ||
-            std::abs(glm::dot(off, surface.flat)) > most_turned)
+            std::abs(glm::dot(off, surface.flat)) > max_turned)
             fail("rays leave from another point than the one that was hit");
         surface.position = machine;
         return;

@@ -17,7 +17,7 @@ using oracle::SphereRoot;
 
 /// The direction's length is 2^tick_bits units of t.
 int tick_bits(const Config& c) { return c.dir_bits - 1 + c.t_frac_bits; }
-std::int64_t most_ticks(const Config& c) { return (std::int64_t(1) << c.t_bits()) - 1; }
+std::int64_t max_ticks(const Config& c) { return (std::int64_t(1) << c.t_bits()) - 1; }
 
 /// Returns the largest allowed excess of a sphere's t, in units of t: model/unit/isect/any.hpp.
 double sphere_error(const SolidRay& ray, const Solid& sphere, const Config& c) {
@@ -51,7 +51,7 @@ bool sphere_is_sooner(const Nearest& nearest, const Solids& solids, const SolidR
 
 /// Judges t, u, v and the side of a triangle or plane that the ray does hit.
 const char* judge_values(const FlatHit& hit, const Config& c, const Closest& answer) {
-    const Int128 most = most_ticks(c);
+    const Int128 most = max_ticks(c);
     // num has up to 3N + B + 4 bits; if it would overflow, t saturates anyway.
     const Int128 t = hit.num > (Int128(1) << 90)
                          ? most
@@ -85,7 +85,7 @@ const char* judge_sphere(const Nearest& nearest, const Solids& solids, std::uint
     if (which == SphereRoot::none) return "it misses that sphere";
     const std::int64_t t = answer.t;
     const auto slack = std::int64_t(std::ceil(sphere_error(ray, sphere, c)));
-    const bool beyond = t == most_ticks(c);
+    const bool beyond = t == max_ticks(c);
     if (!beyond && !oracle::reaches_sphere(ray, sphere, which, t, tick_bits(c)))
         return "t is before the sphere";
     if (t > slack && oracle::reaches_sphere(ray, sphere, which, t - slack - 1, tick_bits(c)))

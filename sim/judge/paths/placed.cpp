@@ -184,7 +184,7 @@ PlacedWorld::Made PlacedWorld::make(const PlacedScene& scene, const SharedMesh& 
     made.scene.textures = scene.own.textures;
     made.solids = solids_of(made.scene, steps(config_.coord_bits), config_.coord_bits);
     const double end = std::ldexp(1, config_.coord_bits - 1) - 0.5,
-                 slack = lattice_slack + (config_.shading ? std::ldexp(1, most_fine) : 0);
+                 slack = lattice_slack + (config_.shading ? std::ldexp(1, max_fine) : 0);
     for (const Triangle& triangle : made.scene.triangles)
         for (const std::uint32_t index : triangle.vertex) {
             const glm::dvec3 at = glm::abs((given[index] - of.lattice.centre) / of.lattice.pitch);

@@ -323,7 +323,7 @@ void Tracer::follow_bounce(const RefBounce& bounce, int depth) {
 void Tracer::shade(const RefPath& path, const RefClosest& hit, double weight, int depth) {
     const RefSurface surface = surface_of(path, hit);
     const Material& m = *surface.material;
-    if (surface.is_hole && path.holes < most_holes) {
+    if (surface.is_hole && path.holes < max_holes) {
         ++counts_.refraction;
         if (steer_) steer_->enter(RefBounce::Interaction::passed);
         RefPath onward = leave(surface, path.direction, true);

@@ -306,7 +306,7 @@ void derived(Package& p, const Config& c) {
     p.constant("StrengthBits", strength_bits);
     p.constant("PlaneBits", plane_bits);
     p.constant("RootBits", root_bits);
-    p.constant("MostFine", most_fine);
+    p.constant("MostFine", max_fine);
     p.constant("SampleBits", sample_bits);
     p.constant("CoordinateBits", coordinate_bits);   // of a texture coordinate
     p.constant("CoordinateFrac", coordinate_frac);
@@ -321,7 +321,7 @@ void derived(Package& p, const Config& c) {
     p.constant("Clients", c.clients());
     p.constant("GuardBits", guard_bits);
     p.constant("GuardDirBits", c.guard_dir_bits());
-    p.constant("MostShift", most_shift);
+    p.constant("MostShift", max_shift);
     p.constant("RayBits", c.ray_bits());
     p.constant("GroupBits", c.group_bits());
     p.constant("SlotBits", c.slot_bits());

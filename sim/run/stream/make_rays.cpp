@@ -174,9 +174,9 @@ std::vector<StreamRay> make_rays(const Scene& scene, const RayStreamPlan& plan, 
                                      ? std::size_t(plan.samples)
                                      : 1;
     const std::size_t all = std::size_t(plan.size.width) * std::size_t(plan.size.height) * of_a_hit;
-    if (all > most_rays)
+    if (all > max_rays)
         throw UserError("up to " + std::to_string(all) + " rays would be made, and a stream has at most " +
-                        std::to_string(most_rays));
+                        std::to_string(max_rays));
     const RayGenerator maker(scene, plan, config);
     const auto width = std::size_t(plan.size.width);
     std::vector<std::vector<StreamRay>> of_pixel(width * std::size_t(plan.size.height));

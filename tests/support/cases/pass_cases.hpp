@@ -110,7 +110,7 @@ inline Surface random_surface(Draw& draw, const Config& c) {
     for (Vec3i* corner : {&s.a, &s.b, &s.c})
         for (auto& x : *corner) x = std::max(x, 1 - (1 << (c.coord_bits - 1)));
     if (s.kind == std::uint32_t(PrimKind::triangle)) {   // edges of whole 2^fine steps
-        s.fine = std::uint32_t(draw.below(std::clamp(c.bary_bits - c.origin_bits, 0, most_fine) + 1));
+        s.fine = std::uint32_t(draw.below(std::clamp(c.bary_bits - c.origin_bits, 0, max_fine) + 1));
         const std::int32_t step = 1 << s.fine;
         for (Vec3i* corner : {&s.b, &s.c})
             for (std::size_t k = 0; k < 3; ++k) (*corner)[k] = s.a[k] + ((*corner)[k] - s.a[k]) / step * step;
@@ -186,8 +186,8 @@ inline void draw_light_of_holes(Draw& draw, const Frame& frame, ShadeState& s) {
     }
     s.pending = std::uint32_t(draw.coin() ? Pending::texture : Pending::answer);
     s.light_holes = std::uint32_t(draw.percent(40)   ? 0
-                                  : draw.percent(30) ? most_holes
-                                  : draw.percent(30) ? most_holes - 1
+                                  : draw.percent(30) ? max_holes
+                                  : draw.percent(30) ? max_holes - 1
                                                      : int(draw.natural(hole_bits)));
 }
 
@@ -201,8 +201,8 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
         s.record = draw.coin() ? 0 : std::uint32_t(draw.natural(c.addr_bits));
         s.is_round = c.spheres && draw.coin();
         s.holes = std::uint32_t(draw.coin()        ? 0
-                                : draw.percent(40) ? most_holes
-                                : draw.percent(40) ? most_holes - 1
+                                : draw.percent(40) ? max_holes
+                                : draw.percent(40) ? max_holes - 1
                                                    : int(draw.natural(hole_bits)));
     }
     // Rays continue only through triangles, whose points lie in the lattice.
