@@ -37,8 +37,8 @@ void set_checkers(const PlaneOnLattice& plane, const Config& config, Surface& su
 
 /// Returns the ratio of the lattice's size to that of the bounded primitives, in a scene with planes. It
 /// leaves room for the steps of Config::approach_shift(). Where one of several planes transmits or mirrors,
-/// rays continue from it to the others, beyond the range of a point (ShadeState::lost). The lattice is then
-/// horizon_room times as large.
+/// rays continue from it to the others, beyond the range of a point (ShadeState::is_lost). The lattice is
+/// then horizon_room times as large.
 double room_around_planes(const Scene& scene, const Config& config);
 constexpr double horizon_room = 4;
 

@@ -147,7 +147,7 @@ struct Surface {
     /// For a smooth triangle: [3 * corner + axis], each normal at most 2^(corner_bits - 1) - 1 long. For a
     /// plane: normal[0] and [1] are phases, normal[2] and [3] bit numbers. Bit normal[2] of u + normal[0]
     /// 2^bary_bits selects the second square of a pair along u; bit normal[3] of v + normal[1] 2^bary_bits
-    /// does so along v. Bit -1 is 0. For a pane: normal[4] is its bit in ShadeState::cell.
+    /// does so along v. Bit -1 is 0. For a pane: normal[4] is its bit in ShadeState::in_cell.
     std::array<std::int32_t, 9> normal{};
     std::array<std::uint32_t, 3> colour{}, other{};          ///< share_bits fraction bits
     std::uint32_t ambient = 0, diffuse = 0, highlight = 0;   ///< share_bits fraction bits

@@ -27,7 +27,7 @@ public:
         if (is_arrival && PrimKind(in.surface.kind) == PrimKind::triangle)
             ++surfaces, textured += in.surface.record != 0;
         if (meets_cutout(in)) values["a cut-out has a texture"].insert(in.surface.record != 0);
-        if (Pending(in.state.pending) == Pending::texture && in.hole)
+        if (in.state.pending == Pending::texture && in.hole)
             values["holes in the way to a light"].insert(in.state.light_holes + 1);
         values["holes that a ray passes"].insert(out.state.holes);
     }

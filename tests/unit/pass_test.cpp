@@ -130,7 +130,7 @@ struct MaterialBits {
 
 /// Requires that the material of a hit surface is driven when the pass begins, and only then.
 void judge_look(const RtlModule& rtl, const std::optional<PassIn>& in, const Frame& frame, const Config& c) {
-    const bool looks = in && in->state.next_event == std::uint32_t(ShadeEvent::arrive) && in->hit.found;
+    const bool looks = in && in->state.next_event == ShadeEvent::arrive && in->hit.found;
     REQUIRE(got(rtl, "material_valid")[0] == std::uint32_t(looks));
     if (!looks) return;
     REQUIRE(got(rtl, "material_ray")[0] == in->ray);
@@ -270,7 +270,7 @@ TEST_CASE("a path is as long as its rays together, rounded down and saturated", 
     for (int i = 0; i < 50000; ++i) {
         const Frame frame = i % 1000 == 0 ? random_shade_frame(draw, c) : Frame{};
         PassIn in = without_cutout(random_pass(draw, frame, c));
-        in.state.next_event = std::uint32_t(ShadeEvent::arrive), in.hit.found = 1;
+        in.state.next_event = ShadeEvent::arrive, in.hit.found = 1;
         if (draw.percent(10)) in.d[std::size_t(draw.below(3))] = -(1 << (c.dir_bits - 1));
         if (draw.percent(20)) in.d = random_corner_direction(draw, c);
         if (PrimKind(in.surface.kind) == PrimKind::plane) in.hit.t >>= 1;   // not too far away for t
@@ -330,7 +330,7 @@ TEST_CASE("a path to a plane beyond the range of t has the length of the way to 
     int long_ones = 0;
     for (int i = 0; i < 20000; ++i) {
         PassIn in = without_cutout(random_pass(draw, Frame{}, c));
-        in.state.next_event = std::uint32_t(ShadeEvent::arrive), in.hit.found = 1;
+        in.state.next_event = ShadeEvent::arrive, in.hit.found = 1;
         in.surface.kind = std::uint32_t(PrimKind::plane), in.surface.smooth = 0;
         in.hit.t = (1u << c.t_bits()) - 1;
         const ShadeState s = pass(in, Frame{}, c).state;
@@ -388,7 +388,7 @@ TEST_CASE("a path begins at the camera ray, and a refracted ray continues its ow
         const Frame frame = random_shade_frame(draw, c);
         const PassIn in = without_cutout(random_pass(draw, frame, c));
         const PassOut out = pass(in, frame, c);
-        const bool pops = in.state.next_event == std::uint32_t(ShadeEvent::pop);
+        const bool pops = in.state.next_event == ShadeEvent::pop;
         if (out.leave == PassOut::Leave::spawn && pops && in.state.waiting > 0) {
             REQUIRE(out.state.path == in.top.path);
             ++waited;
@@ -411,10 +411,10 @@ TEST_CASE("a texture multiplies the albedo once, and ambient light comes after i
     for (int i = 0; i < 20000; ++i) {
         const Frame frame = random_shade_frame(draw, c);
         PassIn in = random_pass(draw, frame, c);
-        in.state.pending = 0;
+        in.state.pending = Pending::none;
         const PassOut out = pass(in, frame, c);
         const ShadeState &was = in.state, &is = out.state;
-        const auto event = ShadeEvent(was.next_event);
+        const auto event = was.next_event;
         if (event == ShadeEvent::texture && (!in.hole || was.holes == 63)) {
             ++textured, last += in.hole;
             for (std::size_t k = 0; k < 3; ++k) {
@@ -451,7 +451,7 @@ TEST_CASE("a ray continues through a hole with the same direction and weight", "
     for (int i = 0; i < 20000; ++i) {
         const Frame frame = random_shade_frame(draw, c);
         PassIn in = without_cutout(random_pass(draw, frame, c));
-        in.state.next_event = std::uint32_t(ShadeEvent::texture);
+        in.state.next_event = ShadeEvent::texture;
         in.state.is_far = in.state.is_lost = 0;
         for (std::size_t k = 0; const std::int32_t x : draw_place(draw, c)) in.state.o[k++] = x;
         for (std::size_t k = 0; const std::int32_t x : draw_place(draw, c)) in.state.inner[k++] = x;
@@ -462,13 +462,12 @@ TEST_CASE("a ray continues through a hole with the same direction and weight", "
         const ShadeState &was = in.state, &is = out.state;
         REQUIRE(out.leave == PassOut::Leave::spawn);
         REQUIRE_FALSE(out.push);
-        REQUIRE(is.next_event == std::uint32_t(ShadeEvent::arrive));
+        REQUIRE(is.next_event == ShadeEvent::arrive);
         REQUIRE(is.holes == was.holes + 1);
         REQUIRE((is.depth == was.depth && is.weight == was.weight && is.path == was.path));
         REQUIRE((is.in_cell == was.in_cell && is.waiting == was.waiting && is.sample == was.sample));
         // Earlier contributions of lights remain, but the surface adds no ambient light.
-        const bool adds = was.pending == std::uint32_t(Pending::sure) ||
-                          (was.pending == std::uint32_t(Pending::answer) && !in.hit.found);
+        const bool adds = was.pending == Pending::sure || (was.pending == Pending::answer && !in.hit.found);
         for (std::size_t k = 0; k < 3; ++k)
             REQUIRE(is.colour[k] ==
                     std::min<std::uint32_t>(was.colour[k] + (adds ? was.share[k] : 0), 1 << unit_bits));
@@ -493,12 +492,11 @@ TEST_CASE("after a cut-out in the way to a light, a pass only requests the textu
     for (int i = 0; i < 20000; ++i) {
         const Frame frame = random_shade_frame(draw, c);
         const PassIn in = random_pass(draw, frame, c);
-        const bool has_met =
-            in.state.pending == std::uint32_t(Pending::answer) && in.hit.found && in.hit.cutout;
+        const bool has_met = in.state.pending == Pending::answer && in.hit.found && in.hit.cutout;
         if (!has_met) continue;
         const PassOut out = pass(in, frame, c);
         ShadeState same = in.state;
-        same.pending = std::uint32_t(in.surface.record != 0 ? Pending::texture : Pending::none);
+        same.pending = in.surface.record != 0 ? Pending::texture : Pending::none;
         REQUIRE(out.state == same);
         REQUIRE_FALSE(out.push);
         (in.surface.record != 0 ? asked : plain)++;
@@ -519,13 +517,13 @@ TEST_CASE("a pass tests a light again behind a hole, and a cut-out without a hol
     for (int i = 0; i < 40000; ++i) {
         const Frame frame = random_shade_frame(draw, c);
         PassIn in = random_pass(draw, frame, c);
-        if (in.state.pending != std::uint32_t(Pending::texture)) continue;
+        if (in.state.pending != Pending::texture) continue;
         const PassOut out = pass(in, frame, c);
         if (in.hole && in.state.light_holes < 63) {
             // The same as the pass of that light, except for the count.
             PassIn first = in;
-            first.state.pending = 0, first.state.light_holes = 0, first.state.light -= 1;
-            first.state.next_event = std::uint32_t(ShadeEvent::light);
+            first.state.pending = Pending::none, first.state.light_holes = 0, first.state.light -= 1;
+            first.state.next_event = ShadeEvent::light;
             PassOut wanted = pass(first, frame, c);
             wanted.state.light_holes = in.state.light_holes + 1;
             REQUIRE(out.state == wanted.state);
@@ -538,7 +536,7 @@ TEST_CASE("a pass tests a light again behind a hole, and a cut-out without a hol
         } else {
             ++hidden, last += in.hole;
             PassIn next = in;   // the same as after a blocked light
-            next.state.pending = 0, next.state.light_holes = 0;
+            next.state.pending = Pending::none, next.state.light_holes = 0;
             const PassOut wanted = pass(next, frame, c);
             REQUIRE(out.state == wanted.state);
             REQUIRE(out.leave == wanted.leave);
@@ -554,9 +552,9 @@ TEST_CASE("a bounce, a waiting ray and a sample each restart the count of holes"
     for (int i = 0; i < 30000; ++i) {
         const Frame frame = random_shade_frame(draw, c);
         const PassIn in = without_cutout(random_pass(draw, frame, c));
-        if (in.state.next_event == std::uint32_t(ShadeEvent::texture)) continue;
+        if (in.state.next_event == ShadeEvent::texture) continue;
         const PassOut out = pass(in, frame, c);
-        const bool is_light = in.state.next_event == std::uint32_t(ShadeEvent::light);
+        const bool is_light = in.state.next_event == ShadeEvent::light;
         if (out.leave != PassOut::Leave::spawn || is_light) {
             REQUIRE(out.state.holes == in.state.holes);
             ++kept;
@@ -564,9 +562,7 @@ TEST_CASE("a bounce, a waiting ray and a sample each restart the count of holes"
         }
         REQUIRE(out.state.holes == 0);
         if (in.state.holes == 0) continue;
-        (in.state.next_event == std::uint32_t(ShadeEvent::reflect) ? reflected
-         : in.state.waiting > 0                                    ? popped
-                                                                   : samples)++;
+        (in.state.next_event == ShadeEvent::reflect ? reflected : in.state.waiting > 0 ? popped : samples)++;
     }
     CAPTURE(reflected, popped, samples, kept);
     CHECK((reflected > 100 && popped > 100 && samples > 100 && kept > 3000));
@@ -579,7 +575,7 @@ TEST_CASE("a pixel keeps the hit of its first camera ray, not one behind a hole"
     for (int i = 0; i < 30000; ++i) {
         const Frame frame = random_shade_frame(draw, c);
         PassIn in = without_cutout(random_pass(draw, frame, c));
-        in.state.next_event = std::uint32_t(ShadeEvent::arrive);
+        in.state.next_event = ShadeEvent::arrive;
         if (draw.coin()) in.state.depth = in.state.sample = 0;
         const ShadeState& was = in.state;
         const ShadeState is = pass(in, frame, c).state;

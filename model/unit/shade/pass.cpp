@@ -38,7 +38,7 @@ ShadeEvent after_lights(const ShadeState& s, const Frame& frame, const Config& c
 /// Sets the event after a surface or a light: light number `light`, or the event after the last light.
 void next_light(ShadeState& s, std::uint32_t light, const Frame& frame, const Config& c) {
     s.light = light;
-    s.next_event = std::uint32_t(light < frame.shade.lights ? ShadeEvent::light : after_lights(s, frame, c));
+    s.next_event = light < frame.shade.lights ? ShadeEvent::light : after_lights(s, frame, c);
 }
 
 Spawn spawn_of(const PassIn& in, const ShadeState& s, RayKind kind) {
@@ -67,7 +67,7 @@ std::uint32_t pane_of(const Surface& surface, const Config& c) {
 /// Sends the hit to tex. The texture event handles the answer.
 void request_texture(const PassIn& in, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
-    s.next_event = std::uint32_t(ShadeEvent::texture);
+    s.next_event = ShadeEvent::texture;
     out.leave = PassOut::Leave::texture;
     out.tex = {in.ray, s.record, s.path, s.cosine, in.hit.u, in.hit.v, in.placement.texel_scale};
     if (s.is_round) {
@@ -86,13 +86,13 @@ void arrive(const PassIn& in, const Frame& frame, const Config& c, PassOut& out)
         s.across = s.in_cell ^ pane_of(in.surface, c);
         next_light(s, 0, frame, c);
         if (c.has_homes())
-            s.next_event = std::uint32_t(ShadeEvent::transform);
+            s.next_event = ShadeEvent::transform;
         else if (s.record != 0)
             request_texture(in, c, out);
         return;
     }
     see_background(s, s.weight, frame);
-    s.next_event = std::uint32_t(ShadeEvent::pop);
+    s.next_event = ShadeEvent::pop;
 }
 
 /// Returns the origin of a ray from the surface; empty if the ray misses the lattice.
@@ -142,10 +142,10 @@ void send_shadow(const PassIn& in, const Frame& frame, const Config& c, PassOut&
     else if (!s.is_lost)
         start = light_place(frame, index, c);
     if (!start) {
-        s.pending = std::uint32_t(Pending::sure);
+        s.pending = Pending::sure;
         return;
     }
-    s.pending = std::uint32_t(Pending::answer);
+    s.pending = Pending::answer;
     out.leave = PassOut::Leave::spawn;
     const bool to_the_point = near && !s.is_far;
     out.spawn = spawn_of(in, s, to_the_point ? RayKind::shadow : RayKind::away);
@@ -161,7 +161,7 @@ void send_bounce(const PassIn& in, const Waiting& ray, PassOut& out) {
     ShadeState& s = out.state;
     s.weight = ray.weight, s.depth = ray.depth, s.in_cell = ray.in_cell, s.path = ray.path;
     s.holes = 0;
-    s.next_event = std::uint32_t(ShadeEvent::arrive);
+    s.next_event = ShadeEvent::arrive;
     out.leave = PassOut::Leave::spawn;
     out.spawn = spawn_of(in, s, RayKind::bounce);
     out.spawn.o = ray.o, out.spawn.d = ray.d;
@@ -188,7 +188,7 @@ void send_refracted(const PassIn& in, const Frame& frame, const Config& c, PassO
     ShadeState& s = out.state;
     const BounceOut found = refract(c, s, in.placement);
     s.total = found.total;
-    s.next_event = std::uint32_t(ShadeEvent::reflect);
+    s.next_event = ShadeEvent::reflect;
     if (!weighs_enough(found.weight, s.depth + 1, frame)) return;
     out.refracted = true;
     if (!found.goes) return;
@@ -203,7 +203,7 @@ void send_refracted(const PassIn& in, const Frame& frame, const Config& c, PassO
 void send_reflected(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
     const BounceOut found = reflect(c, s, in.placement);
-    s.next_event = std::uint32_t(ShadeEvent::pop);
+    s.next_event = ShadeEvent::pop;
     if (!weighs_enough(found.weight, s.depth + 1, frame) || !found.goes) return;
     const std::optional<Origin> start = bounce_start(s, found.d, false, c);
     out.passes_by = !start;
@@ -222,7 +222,7 @@ void show_texture(const PassIn& in, const Frame& frame, const Config& c, PassOut
         return next_light(s, 0, frame, c);
     }
     ++s.holes;
-    s.next_event = std::uint32_t(ShadeEvent::arrive);
+    s.next_event = ShadeEvent::arrive;
     out.refracted = true;
     out.leave = PassOut::Leave::spawn;
     out.spawn = spawn_of(in, s, RayKind::bounce);
@@ -238,7 +238,7 @@ void show_texture(const PassIn& in, const Frame& frame, const Config& c, PassOut
 void request_cutout(const PassIn& in, PassOut& out) {
     const std::uint32_t record = in.surface.record;
     if (record == 0) return;
-    out.state.pending = std::uint32_t(Pending::texture);
+    out.state.pending = Pending::texture;
     out.leave = PassOut::Leave::texture;
     out.tex = {in.ray, record, in.state.path, full_weight, in.hit.u, in.hit.v, in.placement.texel_scale};
 }
@@ -259,7 +259,7 @@ void finish(const PassIn& in, const Frame& frame, const Config& c, PassOut& out)
         s.sample = done;
         s.colour = {};
         s.weight = full_weight, s.depth = 0, s.in_cell = 0, s.path = 0, s.holes = 0;
-        s.next_event = std::uint32_t(ShadeEvent::arrive);
+        s.next_event = ShadeEvent::arrive;
         out.leave = PassOut::Leave::spawn;
         out.spawn = spawn_of(in, s, RayKind::camera);
         return;
@@ -277,12 +277,10 @@ void finish(const PassIn& in, const Frame& frame, const Config& c, PassOut& out)
 }   // namespace
 
 bool passes_hole(const PassIn& in) {
-    return Pending(in.state.pending) == Pending::texture && in.hole && in.state.light_holes < max_holes;
+    return in.state.pending == Pending::texture && in.hole && in.state.light_holes < max_holes;
 }
 
-ShadeEvent event_of(const PassIn& in) {
-    return passes_hole(in) ? ShadeEvent::light : ShadeEvent(in.state.next_event);
-}
+ShadeEvent event_of(const PassIn& in) { return passes_hole(in) ? ShadeEvent::light : in.state.next_event; }
 
 ShadeState fresh_state(std::uint32_t x, std::uint32_t y) {
     ShadeState s;
@@ -296,9 +294,9 @@ PassOut pass(const PassIn& in, const Frame& frame, const Config& c) {
     PassOut out;
     out.state = in.state;
     ShadeState& s = out.state;
-    const Pending pending = Pending(s.pending);
+    const Pending pending = s.pending;
     if (pending == Pending::sure || (pending == Pending::answer && !in.hit.found)) add(s.colour, s.share);
-    s.pending = std::uint32_t(Pending::none);
+    s.pending = Pending::none;
     if (meets_cutout(in)) {
         request_cutout(in, out);
         return out;

@@ -25,7 +25,8 @@ enum class Pending : std::uint32_t {
 
 /// The state of a context. Fractions have unit_bits bits unless stated otherwise.
 struct ShadeState {
-    std::uint32_t next_event = 0, pending = 0;
+    ShadeEvent next_event = ShadeEvent::arrive;
+    Pending pending = Pending::none;
     // The pixel.
     std::uint32_t x = 0, y = 0, sample = 0;
     std::array<std::uint32_t, 3> sum{}, least{}, most{};      ///< of the finished samples' colours
@@ -166,7 +167,7 @@ struct PassIn {
 };
 /// True if a shadow ray has met a cut-out. The pass requests its texture and handles no event.
 inline bool meets_cutout(const PassIn& in) {
-    return Pending(in.state.pending) == Pending::answer && in.hit.found && in.hit.cutout;
+    return in.state.pending == Pending::answer && in.hit.found && in.hit.cutout;
 }
 /// Intermediate values of a light's pass, for judges.
 struct LightParts {

@@ -94,8 +94,8 @@ void PathJudge::add(const Colour& colour, const Light& exact) {
 
 void PathJudge::passed(const PassIn& in, const PassOut& out) {
     const ShadeState& s = in.state;
-    demand(fresh_ ? s.x == x_ && s.y == y_ && ShadeEvent(s.next_event) == ShadeEvent::arrive &&
-                        s.weight == full_weight && s.depth == 0
+    demand(fresh_ ? s.x == x_ && s.y == y_ && s.next_event == ShadeEvent::arrive && s.weight == full_weight &&
+                        s.depth == 0
                   : s == last_,
            "the context's state is not what the last pass left");
     demand(same_answer(in.hit, answer_) && in.hit.cutout == answer_.cutout,
@@ -135,7 +135,7 @@ void PathJudge::event(const PassIn& in, const PassOut& out) {
         }
     }
     light_holes_.clear();
-    switch (ShadeEvent(s.next_event)) {
+    switch (s.next_event) {
         case ShadeEvent::arrive: arrive(in, out); break;
         case ShadeEvent::light: light(in, out, s.light); break;
         case ShadeEvent::refract: refract(in, out); break;
@@ -186,8 +186,7 @@ void PathJudge::pop(const PassIn& in, const PassOut& out) {
     demand(in.top.in_cell == branch_.cell && (in.top.is_partial != 0) == ray.is_partial,
            "another ray waited");
     expect_spawn(out, ray);
-    demand(ShadeEvent(out.state.next_event) == ShadeEvent::arrive,
-           "a bounce that was sent is not waited for");
+    demand(out.state.next_event == ShadeEvent::arrive, "a bounce that was sent is not waited for");
 }
 
 void PathJudge::end_sample(const PassOut& out) {
@@ -219,7 +218,7 @@ void PathJudge::end_sample(const PassOut& out) {
         demand(out.state.colour == colour_ && out.state.sum == sum_ && out.state.least == least_ &&
                    out.state.most == most_,
                "the samples' sum is wrong");
-        demand(ShadeEvent(out.state.next_event) == ShadeEvent::arrive, "a sample's ray is not waited for");
+        demand(out.state.next_event == ShadeEvent::arrive, "a sample's ray is not waited for");
         return expect_spawn(out, {});
     }
     demand(out.leave == PassOut::Leave::pixel, "the pixel is not given out");

@@ -67,7 +67,7 @@ PathJudge::Weight PathJudge::weight_of(const Share& share) const {
 void PathJudge::refract(const PassIn& in, const PassOut& out) {
     const ShadeState& s = in.state;
     demand(config_.refraction, "there is no refraction in this chip");
-    demand(out.leave == PassOut::Leave::again && ShadeEvent(out.state.next_event) == ShadeEvent::reflect,
+    demand(out.leave == PassOut::Leave::again && out.state.next_event == ShadeEvent::reflect,
            "after the refracted ray comes the reflected one");
     const Bend bend = promised_bend(s);
     const bool total = bend.cosine_squared < 0;
@@ -136,15 +136,14 @@ void PathJudge::reflect(const PassIn& in, const PassOut& out) {
     const std::optional<Start> start = bounce_start_of(s, d, false);
     if (!due || !start) {
         if (due) background(weight.promised, weight.exact);
-        demand(out.leave == PassOut::Leave::again && ShadeEvent(out.state.next_event) == ShadeEvent::pop,
+        demand(out.leave == PassOut::Leave::again && out.state.next_event == ShadeEvent::pop,
                "a reflected ray is sent where none is due");
         return;
     }
     branch_ = bounce(s, weight, *start, d, false);
     holes_ = 0;
     expect_spawn(out, branch_.ray);
-    demand(ShadeEvent(out.state.next_event) == ShadeEvent::arrive,
-           "a bounce that was sent is not waited for");
+    demand(out.state.next_event == ShadeEvent::arrive, "a bounce that was sent is not waited for");
 }
 
 /// Returns true if a bounce must be sent: its weight is not below the threshold (docs/machine/shading.md,

@@ -51,7 +51,7 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
                "the pixel's first hit is not kept");
     if (!answer_.found) {
         background(branch_.weight, branch_.exact);
-        demand(ShadeEvent(s.next_event) == ShadeEvent::pop, "after the background comes the next ray");
+        demand(s.next_event == ShadeEvent::pop, "after the background comes the next ray");
         return;
     }
     if (rules_.placed && visit_.place == oracle::PlacedRay::nowhere)
@@ -95,7 +95,7 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
     if (rules_.placed) {
         demand(rules_.placed->is_map_of(visit_.place, in.placement),
                "memory does not hold the instance that was hit");
-        return demand(ShadeEvent(s.next_event) == ShadeEvent::transform,
+        return demand(s.next_event == ShadeEvent::transform,
                       "no transform pass follows an instance's surface");
     }
     demand_lights(s);
@@ -110,7 +110,7 @@ void PathJudge::demand_scale(const TexReq& hit, std::uint32_t place) {
 
 /// Judges the request to tex. The texture's colour and the ambient light come later.
 void PathJudge::demand_texture(const ShadeState& s, const PassOut& out) {
-    demand(ShadeEvent(s.next_event) == ShadeEvent::texture, "no texture pass follows a textured surface");
+    demand(s.next_event == ShadeEvent::texture, "no texture pass follows a textured surface");
     const TexReq& hit = out.tex;
     demand_scale(hit, visit_.place);
     bool is_there = hit.u == answer_.u && hit.v == answer_.v;
@@ -158,7 +158,7 @@ void PathJudge::texture(const PassIn& in, const PassOut& out) {
     if (rules_.placed) ray.home = home_of(s, ray.d);
     demand(dot(s.n, way_of(ray)) < 0, "a ray continues on the side from which it came");
     expect_spawn(out, ray);
-    demand(ShadeEvent(s.next_event) == ShadeEvent::arrive, "no pass awaits the hit of a continued ray");
+    demand(s.next_event == ShadeEvent::arrive, "no pass awaits the hit of a continued ray");
 }
 
 std::optional<TexturedSurface> PathJudge::textured(std::uint32_t primitive) const {
@@ -195,7 +195,7 @@ void PathJudge::cutout(const PassIn& in, const PassOut& out) {
 
 void PathJudge::demand_lights(const ShadeState& s) {
     const bool lights = !rules_.inputs.scene.lights.empty();
-    demand(s.light == 0 && ShadeEvent(s.next_event) == (lights ? ShadeEvent::light : after_lights(s)),
+    demand(s.light == 0 && s.next_event == (lights ? ShadeEvent::light : after_lights(s)),
            "after a surface come its lights");
 }
 
@@ -372,7 +372,7 @@ void PathJudge::light(const PassIn& in, const PassOut& out, std::uint32_t number
     const auto all = std::uint32_t(rules_.inputs.scene.lights.size());
     demand(number < all, "there is no such light");
     demand(out.state.light == number + 1 &&
-               ShadeEvent(out.state.next_event) == (number + 1 < all ? ShadeEvent::light : after_lights(s)),
+               out.state.next_event == (number + 1 < all ? ShadeEvent::light : after_lights(s)),
            "a light is left out or asked twice");
     if (number >= all) return;
     const bool near = frame_.shade.near[number] != 0, to_the_point = near && !place_.is_far;

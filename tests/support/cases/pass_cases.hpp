@@ -157,8 +157,8 @@ inline Closest random_closest(Draw& draw, const Config& c, const Surface& surfac
 /// starts now, or later towards a light beyond the lattice.
 inline void aim_far(Draw& draw, const Frame& frame, const Config& c, ShadeState& s) {
     const Vec3i within = draw_place(draw, c);
-    const bool is_light = s.next_event == std::uint32_t(ShadeEvent::light);
-    const Vec3i d = s.next_event == std::uint32_t(ShadeEvent::refract) ? refract(c, s).d : reflect(c, s).d;
+    const bool is_light = s.next_event == ShadeEvent::light;
+    const Vec3i d = s.next_event == ShadeEvent::refract ? refract(c, s).d : reflect(c, s).d;
     const int further = draw.between(1, 6);
     const std::int64_t most = (std::int64_t(1) << (c.point_width() - 1)) - 1,
                        steps = std::int64_t(draw.natural(approach_steps)) << c.approach_shift();
@@ -177,14 +177,14 @@ inline bool follows_light(ShadeEvent event) {
 /// Draws a state after a light, often one whose shadow ray has met a cut-out.
 inline void draw_light_of_holes(Draw& draw, const Frame& frame, ShadeState& s) {
     const int lights = int(frame.shade.lights);
-    if (lights == 0 || !follows_light(ShadeEvent(s.next_event)) || draw.percent(40)) return;
-    if (s.next_event == std::uint32_t(ShadeEvent::light)) {
+    if (lights == 0 || !follows_light(s.next_event) || draw.percent(40)) return;
+    if (s.next_event == ShadeEvent::light) {
         if (lights == 1) return;
         s.light = std::uint32_t(draw.between(1, lights - 1));
     } else {
         s.light = std::uint32_t(lights);
     }
-    s.pending = std::uint32_t(draw.coin() ? Pending::texture : Pending::answer);
+    s.pending = draw.coin() ? Pending::texture : Pending::answer;
     s.light_holes = std::uint32_t(draw.percent(40)   ? 0
                                   : draw.percent(30) ? max_holes
                                   : draw.percent(30) ? max_holes - 1
@@ -193,9 +193,9 @@ inline void draw_light_of_holes(Draw& draw, const Frame& frame, ShadeState& s) {
 
 inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) {
     ShadeState s;
-    s.next_event = std::uint32_t(draw.below(c.has_homes() ? 6 : 5));
+    s.next_event = ShadeEvent(draw.below(c.has_homes() ? 6 : 5));
     if (c.has_textures()) {
-        if (draw.percent(15)) s.next_event = std::uint32_t(ShadeEvent::texture);
+        if (draw.percent(15)) s.next_event = ShadeEvent::texture;
         s.path = std::uint32_t(draw.natural(draw.between(1, c.path_bits())));
         s.ambient = share_up_to(draw, share_bits);
         s.record = draw.coin() ? 0 : std::uint32_t(draw.natural(c.addr_bits));
@@ -206,11 +206,10 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
                                                    : int(draw.natural(hole_bits)));
     }
     // Rays continue only through triangles, whose points lie in the lattice.
-    const bool is_textured = s.next_event == std::uint32_t(ShadeEvent::texture);
-    if (s.next_event == std::uint32_t(ShadeEvent::light) && frame.shade.lights == 0) s.next_event = 0;
-    if (s.next_event == std::uint32_t(ShadeEvent::refract) && !c.refraction)
-        s.next_event = std::uint32_t(ShadeEvent::reflect);
-    s.pending = std::uint32_t(draw.below(3));
+    const bool is_textured = s.next_event == ShadeEvent::texture;
+    if (s.next_event == ShadeEvent::light && frame.shade.lights == 0) s.next_event = ShadeEvent::arrive;
+    if (s.next_event == ShadeEvent::refract && !c.refraction) s.next_event = ShadeEvent::reflect;
+    s.pending = Pending(draw.below(3));
     s.x = std::uint32_t(draw.natural(c.pixel_bits)), s.y = std::uint32_t(draw.natural(c.pixel_bits));
     if (c.supersampling) {
         s.sample = std::uint32_t(draw.below(int(frame.shade.side * frame.shade.side)));
@@ -273,8 +272,7 @@ inline PassIn random_pass(Draw& draw, const Frame& frame, const Config& c) {
     in.surface = random_surface(draw, c);
     in.hit = random_closest(draw, c, in.surface);
     in.hit.ray = in.ray;
-    if (c.has_textures() && follows_light(ShadeEvent(in.state.next_event)) && draw.coin())
-        in.hit.cutout = in.hit.found;
+    if (c.has_textures() && follows_light(in.state.next_event) && draw.coin()) in.hit.cutout = in.hit.found;
     in.o = draw_place(draw, c);
     in.d = draw.vector(c.dir_bits);
     // With two levels raygen adds one to a component of -2^(M-1) (docs/machine/motion.md).
@@ -300,7 +298,7 @@ inline PassIn random_pass(Draw& draw, const Frame& frame, const Config& c) {
 
 /// Returns the same pass, but without a cut-out in the way to the last light.
 inline PassIn without_cutout(PassIn in) {
-    if (in.state.pending == std::uint32_t(Pending::texture)) in.state.pending = std::uint32_t(Pending::none);
+    if (in.state.pending == Pending::texture) in.state.pending = Pending::none;
     in.hit.cutout = 0;
     return in;
 }
