@@ -90,7 +90,7 @@ void Pipeline::clock_surf_cache(const Moves& m, const SharedMoves& shared) {
     surf_or_stream_outcome_ =
         surf_or_stream_cache_.clock(req.fires, {req.ray, surf_addr(req.ray)}, m[Link::surf_rsp].fires,
                                     shared.surf_or_stream_fill, shared.surf_or_stream_miss);
-    last_surf_or_stream_ = std::uint32_t(surf_or_stream_outcome_) | m.shade_code << 3;
+    last_surf_or_stream_ = std::uint32_t(surf_or_stream_outcome_) | m.shade_code << cause_bits;
     ++surf_or_stream_cycles_[last_surf_or_stream_];
 }
 
@@ -126,7 +126,7 @@ void Pipeline::clock_tex(const Moves& m, std::uint64_t now, const SharedMoves& s
                {came.fires && texels, came.ray});
     if (req.fires) reads_texels_[req.ray] = !m[Link::tex_req].fires;
     tex_outcome_ = tex_cache_.clock(req.fires, {req.ray, line}, came.fires, shared.tex_fill, shared.tex_miss);
-    last_tex_ = std::uint32_t(tex_outcome_) | m.tex_code << 3;
+    last_tex_ = std::uint32_t(tex_outcome_) | m.tex_code << cause_bits;
     ++tex_cycles_[last_tex_];
 }
 
@@ -231,29 +231,35 @@ Accounts Pipeline::accounts() const {
     const bool streams = feed_ == RayFeed::stream;
     for (std::uint32_t i = 0; i < units_.size(); ++i) {
         if (units_[i] == 0) continue;
-        // With a stream, the unit stream lies between sched and raygen, so two causes differ.
-        const std::uint32_t sched = i & 3, raygen = i >> 2 & 3;
-        add(Unit::sched, streams && sched == 3 ? 4 : sched, units_[i]);
-        add(Unit::raygen, streams && raygen == 1 ? 3 : raygen, units_[i]);
-        add(Unit::trav, i >> 4 & 3, units_[i]);
-        if (!is_list_) add(upper_.unit, i >> 6 & 3, units_[i]);
-        add(Unit::list, i >> 8 & 1, units_[i]);
-        add(Unit::tri, i >> 9 & 3, units_[i]);
+        UnitCodes codes = UnitCodes::of(i);
+        if (streams) {   // the unit stream lies between sched and raygen
+            if (codes.sched == cause_code(Unit::sched, stalled("raygen")))
+                codes.sched = cause_code(Unit::sched, stalled("stream"));
+            if (codes.raygen == cause_code(Unit::raygen, starved("sched")))
+                codes.raygen = cause_code(Unit::raygen, starved("stream"));
+        }
+        add(Unit::sched, codes.sched, units_[i]);
+        add(Unit::raygen, codes.raygen, units_[i]);
+        add(Unit::trav, codes.trav, units_[i]);
+        if (!is_list_) add(upper_.unit, codes.node_unit, units_[i]);
+        add(Unit::list, codes.list, units_[i]);
+        add(Unit::tri, codes.tri, units_[i]);
     }
+    constexpr std::uint32_t outcome = (1u << cause_bits) - 1;
     for (std::uint32_t i = 0; i < caches_.size(); ++i) {
-        if (!is_list_) add(Unit::node_cache, i & 7, caches_[i]);
-        add(Unit::prim_cache, i >> 3, caches_[i]);
+        if (!is_list_) add(Unit::node_cache, i & outcome, caches_[i]);
+        add(Unit::prim_cache, i >> cause_bits, caches_[i]);
     }
     for (std::uint32_t i = 0; i < tex_cycles_.size(); ++i) {
-        add(Unit::tex_cache, i & 7, tex_cycles_[i]);
-        add(Unit::tex, i >> 3, tex_cycles_[i]);
+        add(Unit::tex_cache, i & outcome, tex_cycles_[i]);
+        add(Unit::tex, i >> cause_bits, tex_cycles_[i]);
     }
     for (std::uint32_t i = 0; i < xforms_.size(); ++i) add(Unit::xform, i, xforms_[i]);
     for (std::uint32_t i = 0; lower_.unit != upper_.unit && i < lowers_.size(); ++i)
         add(lower_.unit, i, lowers_[i]);
     for (std::uint32_t i = 0; i < surf_or_stream_cycles_.size(); ++i) {
-        add(streams ? Unit::stream : Unit::surf_cache, i & 7, surf_or_stream_cycles_[i]);
-        if (!streams) add(Unit::shade, i >> 3, surf_or_stream_cycles_[i]);
+        add(streams ? Unit::stream : Unit::surf_cache, i & outcome, surf_or_stream_cycles_[i]);
+        if (!streams) add(Unit::shade, i >> cause_bits, surf_or_stream_cycles_[i]);
     }
     return sums;
 }

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "model/machine/links.hpp"
+#include "model/machine/unit_codes.hpp"
 #include "model/unit/list/list.hpp"
 #include "model/mem/cache.hpp"
 #include "model/mem/memport.hpp"
@@ -200,9 +201,9 @@ private:
     std::uint32_t node_unit_code(const Moves& m, bool low) const {
         const LinkInside& req = m[node_unit_req];
         const bool own = m.lower_request == low;
-        if (box_hold_left_ > 0 && box_is_low_ == low) return 0;
-        return test_codes[std::size_t((own & req.valid) + (own & req.fires) +
-                                      3 * node_cache_.has_misses_in_flight())];
+        if (box_hold_left_ > 0 && box_is_low_ == low) return busy_code;
+        return node_unit_codes[std::size_t((own & req.valid) + (own & req.fires) +
+                                           3 * node_cache_.has_misses_in_flight())];
     }
     template <RayFeed feed, bool levels> void settle(Moves& m, std::uint64_t now) const;
     void settle_tex(Moves& m, std::uint64_t now) const;
@@ -220,7 +221,7 @@ private:
     template <RayFeed feed, bool levels> Shade::Leave turn_of(std::uint32_t ray);
     template <RayFeed feed> void account_units(const Moves& m);
     void account_caches() {
-        last_caches_ = std::uint32_t(node_outcome_) | std::uint32_t(prim_outcome_) << 3;
+        last_caches_ = std::uint32_t(node_outcome_) | std::uint32_t(prim_outcome_) << cause_bits;
         ++caches_[last_caches_];
     }
     template <RayFeed feed> void clock_sched(const Moves& m, const Tile* tile);
@@ -277,21 +278,15 @@ private:
         tex_outcome_{CacheOutcome::starved};
     bool asleep_ = false;
 
-    // Codes of units.hpp, by the progress of the item that the unit waits for: absent, on offer, accepted.
-    // Before that, sched's pixel must be valid. For node units and tri it also matters whether memory has a
-    // request in flight (3 more). For trav it matters whether a step waits, and whether no ray recirculates
-    // (2 more). Recirculation counts as work, or as a stall if a step waits.
-    static constexpr std::array<std::uint8_t, 4> sched_codes{2, 1, 3, 0}, trav_codes{0, 2, 1, 0};
-    static constexpr std::array<std::uint8_t, 3> raygen_codes{1, 2, 0};
-    static constexpr std::array<std::uint8_t, 6> test_codes{2, 3, 0, 1, 3, 0};
-
-    // Cycles by the units' codes, several units per index; see account_units().
+    // Cycles by the units' codes. A cache's outcome has cause_bits; the code of shade or tex follows it.
     std::uint32_t last_units_ = 0, last_caches_ = 0, last_surf_or_stream_ = 0;
-    std::array<std::uint64_t, 1 << 11> units_{};
-    std::array<std::uint64_t, 1 << 6> caches_{};
-    std::array<std::uint64_t, 1 << 5> surf_or_stream_cycles_{};   // surf_cache and shade, or stream
+    std::array<std::uint64_t, 1 << UnitCodes::bits> units_{};
+    std::array<std::uint64_t, 1 << 2 * cause_bits> caches_{};   // node_cache, then prim_cache
+    static constexpr int outcome_and_code_bits = cause_bits + UnitCodes::code_bits;
+    std::array<std::uint64_t, 1 << outcome_and_code_bits> surf_or_stream_cycles_{};   // surf_cache or stream,
+                                                                                      // then shade
     std::uint32_t last_tex_ = 0;
-    std::array<std::uint64_t, 1 << 5> tex_cycles_{};   // tex_cache and tex
+    std::array<std::uint64_t, 1 << outcome_and_code_bits> tex_cycles_{};   // tex_cache, then tex
     std::uint32_t last_xform_ = 0;
     std::array<std::uint64_t, 3> xforms_{};
     std::uint32_t last_lower_ = 0;

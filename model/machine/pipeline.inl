@@ -32,9 +32,9 @@ template <Pipeline::RayFeed feed, bool levels>
         m.offer(Link::xform_req, node_cache_.valid() & enters, xform_hold_left_ == 0, read);
         m.offer(Link::change, changed.valid, true, changed.ray);
         m.read = m.read | m[Link::xform_req].fires;
-        m.xform_code = (m[Link::xform_req].valid | (xform_hold_left_ > 0)) ? 0
-                       : node_cache_.has_misses_in_flight()                ? 1
-                                                                           : 2;
+        m.xform_code = (m[Link::xform_req].valid | (xform_hold_left_ > 0)) ? busy_code
+                       : node_cache_.has_misses_in_flight() ? cause_code(Unit::xform, starved("memory"))
+                                                            : cause_code(Unit::xform, starved("trav"));
     }
     const LinkRay from_node_unit = node_unit_.answer(now), from_tri = tri_.answer(now);
     m.lower_answer = levels && is_low(from_node_unit.ray);
@@ -74,7 +74,9 @@ inline void Pipeline::settle_tex(Moves& m, std::uint64_t now) const {
     m.offer(Link::texel_rsp, tex_cache_.valid(), true, tex_cache_.answer());
     const LinkRay filtered = tex_.answer(now);
     m.offer(Link::tex_rsp, filtered.valid, true, filtered.ray);
-    m.tex_code = m[Link::texel_rsp].valid ? 0 : tex_cache_.has_misses_in_flight() ? 1 : 2;
+    m.tex_code = m[Link::texel_rsp].valid            ? busy_code
+                 : tex_cache_.has_misses_in_flight() ? cause_code(Unit::tex, starved("memory"))
+                                                     : cause_code(Unit::tex, starved("shade"));
 }
 
 template <Pipeline::RayFeed feed> [[gnu::always_inline]] inline void Pipeline::account_units(const Moves& m) {
@@ -84,15 +86,17 @@ template <Pipeline::RayFeed feed> [[gnu::always_inline]] inline void Pipeline::a
     const bool asked = m[first].valid | (shades && m[Link::spawn].valid),
                begun = m[first].fires | (shades && m[Link::spawn].fires);
     const std::size_t turn = trav_.step_valid(m[Link::tested].valid), free = trav_.step_ready();
-    const std::uint32_t
-        sched = sched_codes[std::size_t(sched_.pixel_valid() + progress(Link::slot))],
-        raygen = raygen_hold_left_ > 0 ? 0u : raygen_codes[std::size_t(asked + begun)],
-        trav = trav_codes[turn + 2 * free], node = node_unit_code(m, false),
-        list = !(m[Link::leaves].fires | m[Link::tri_rsp].fires),
-        tri = tri_hold_left_ > 0
-                  ? 0u
-                  : test_codes[std::size_t(progress(Link::tri_req) + 3 * prim_cache_.has_misses_in_flight())];
-    last_units_ = sched | raygen << 2 | trav << 4 | node << 6 | list << 8 | tri << 9;
+    UnitCodes codes;
+    codes.sched = sched_codes[std::size_t(sched_.pixel_valid() + progress(Link::slot))];
+    codes.raygen = raygen_hold_left_ > 0 ? busy_code : raygen_codes[std::size_t(asked + begun)];
+    codes.trav = trav_codes[turn + 2 * free];
+    codes.node_unit = node_unit_code(m, false);
+    codes.list = m[Link::leaves].fires | m[Link::tri_rsp].fires ? busy_code : list_starved;
+    codes.tri =
+        tri_hold_left_ > 0
+            ? busy_code
+            : tri_codes[std::size_t(progress(Link::tri_req) + 3 * prim_cache_.has_misses_in_flight())];
+    last_units_ = codes.packed();
     ++units_[last_units_];
 }
 
