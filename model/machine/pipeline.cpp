@@ -108,11 +108,11 @@ template <Pipeline::RayFeed feed, bool levels> Shade::Leave Pipeline::turn_of(st
     TraceCursor& cursor = rays_[ray];
     --cursor.head;
     // The first pass of a surface or cut-out has just ended; with two levels it is a surface's second pass.
-    if (feed == RayFeed::textured && (*cursor.at & Trace::texture_flag) &&
-        cursor.at[1] - cursor.head == (levels && !(*cursor.at & Trace::cutout_flag) ? 2 : 1))
+    if (feed == RayFeed::textured && EndWord{*cursor.at}.has_texture() &&
+        cursor.at[1] - cursor.head == (levels && !EndWord{*cursor.at}.is_cutout() ? 2 : 1))
         return Shade::Leave::texture;
     if (cursor.head > 0) return Shade::Leave::again;
-    if (*cursor.at & Trace::pixel_flag) return Shade::Leave::pixel;
+    if (EndWord{*cursor.at}.ends_pixel()) return Shade::Leave::pixel;
     cursor.at += 2;
     cursor.head = *cursor.at;
     return Shade::Leave::spawn;
@@ -121,7 +121,7 @@ template <Pipeline::RayFeed feed, bool levels> Shade::Leave Pipeline::turn_of(st
 void Pipeline::clock_tex(const Moves& m, std::uint64_t now, const SharedMoves& shared) {
     const LinkInside &req = m[Link::texel_req], &came = m[Link::texel_rsp];
     const bool texels = reads_texels_[came.ray];
-    const std::uint32_t line = rays_[req.ray].at[m[Link::tex_req].fires ? -2 : -1] & Trace::node_mask;
+    const std::uint32_t line = EndWord{rays_[req.ray].at[m[Link::tex_req].fires ? -2 : -1]}.line();
     tex_.clock(now, req.valid, req.fires, {came.fires && !texels, came.ray},
                {came.fires && texels, came.ray});
     if (req.fires) reads_texels_[req.ray] = !m[Link::tex_req].fires;
@@ -133,19 +133,19 @@ void Pipeline::clock_tex(const Moves& m, std::uint64_t now, const SharedMoves& s
 template <Pipeline::RayFeed feed, bool levels> void Pipeline::clock_shade(const Moves& m, std::uint64_t now) {
     Shade::Wants wants = Shade::Wants::nothing;
     const LinkInside &closest = m[Link::closest], &came = m[Link::surf_rsp];
-    const auto next = [this](std::uint32_t ray) -> std::uint32_t {
+    const auto next = [this](std::uint32_t ray) -> EndWord {
         TraceCursor& cursor = rays_[ray];
         ++cursor.at;
-        if (feed == RayFeed::textured && (*cursor.at & Trace::record_flag))
+        if (feed == RayFeed::textured && EndWord{*cursor.at}.is_record())
             cursor.at += 2;   // the two words of a texture precede the surface's word
         cursor.head = cursor.at[1];
-        return *cursor.at;
+        return {*cursor.at};
     };
     if (closest.fires) {   // past the last visit, or its last triangle
-        const std::uint32_t word = next(closest.ray);
-        if (levels && (word & Trace::place_flag))
+        const EndWord word = next(closest.ray);
+        if (levels && word.is_place())
             wants = Shade::Wants::place;
-        else if (word & Trace::surface_flag)
+        else if (word.has_line())
             wants = Shade::Wants::surface;
     }
     const bool placed = came.fires & m.placing;

@@ -79,12 +79,12 @@ public:
     }
     Slot slot() const { return sched_.slot(); }
     const Slot& pixel(std::uint32_t ray) const { return sched_.pixel(ray); }
-    std::uint32_t node_addr(std::uint32_t ray) const { return rays_[ray].head & Trace::node_mask; }
-    std::uint32_t prim_addr(std::uint32_t ray) const { return *rays_[ray].at & Trace::prim_mask; }
-    std::uint32_t surf_addr(std::uint32_t ray) const { return *rays_[ray].at & Trace::node_mask; }
+    std::uint32_t node_addr(std::uint32_t ray) const { return VisitWord{rays_[ray].head}.line(); }
+    std::uint32_t prim_addr(std::uint32_t ray) const { return TestWord{*rays_[ray].at}.half_line(); }
+    std::uint32_t surf_addr(std::uint32_t ray) const { return EndWord{*rays_[ray].at}.line(); }
     /// Returns the line that tex requests for a ray.
     std::uint32_t texel_addr(std::uint32_t ray) const {
-        return rays_[ray].at[moves_[Link::tex_req].fires ? -2 : -1] & Trace::node_mask;
+        return EndWord{rays_[ray].at[moves_[Link::tex_req].fires ? -2 : -1]}.line();
     }
     /// Returns the line of the record of a ray that a context is about to get.
     std::uint32_t record_addr(const Slot& slot) const {
@@ -101,9 +101,7 @@ public:
                                            : surf_or_stream_outcome_;
     }
     /// Returns the purpose of the ray that is being spawned. Call it while its transfer is observed.
-    RayPurpose purpose(std::uint32_t ray) const {
-        return RayPurpose(rays_[ray].at[-2] >> Trace::purpose_shift & 3);
-    }
+    RayPurpose purpose(std::uint32_t ray) const { return EndWord{rays_[ray].at[-2]}.purpose(); }
 
     /// Calls `look_up(Cache&, word)` for each word that a pixel's rays read, ray by ray. Samples of a frame
     /// warm the caches with it.
@@ -215,7 +213,7 @@ private:
         return feed_ == RayFeed::stream ? of_stream : of_surf_cache;
     }
     Decision::Flags decide(std::uint32_t ray, bool valid);
-    bool has_tests(std::uint32_t ray) const { return rays_[ray].head & Trace::tests_flag; }
+    bool has_tests(std::uint32_t ray) const { return VisitWord{rays_[ray].head}.has_tests(); }
     void enter(const LinkInside& change);
     bool has_more(std::uint32_t ray, bool tested);
     template <RayFeed feed, bool levels> Shade::Leave turn_of(std::uint32_t ray);
@@ -295,21 +293,22 @@ private:
 
 template <class LookUp> void Pipeline::replay_reads(const std::uint32_t* at, LookUp&& look_up) {
     for (;;) {
-        for (std::uint32_t head = 0; !(head & Trace::end_flag);) {
-            head = *at++;
-            if (!is_list_) look_up(node_cache_, head & Trace::node_mask);
-            if (!(head & Trace::tests_flag)) continue;
-            do look_up(prim_cache_, (*at & Trace::prim_mask) >> 1);
-            while (!(*at++ & Trace::last_flag));
+        for (VisitWord visit; !visit.ends_ray();) {
+            visit = {*at++};
+            if (!is_list_) look_up(node_cache_, visit.line());
+            if (!visit.has_tests()) continue;
+            do look_up(prim_cache_, TestWord{*at}.half_line() >> 1);
+            while (!TestWord{*at++}.is_last());
         }
         if (!is_shaded(feed_)) return;
-        while (*at & Trace::place_flag) look_up(surf_or_stream_cache_, *at++ & Trace::node_mask);
-        if (*at & Trace::record_flag) {
-            look_up(tex_cache_, *at++ & Trace::node_mask);
-            look_up(tex_cache_, *at++ & Trace::node_mask);
+        while (EndWord{*at}.is_place()) look_up(surf_or_stream_cache_, EndWord{*at++}.line());
+        if (EndWord{*at}.is_record()) {
+            look_up(tex_cache_, EndWord{*at++}.line());
+            look_up(tex_cache_, EndWord{*at++}.line());
         }
-        if (*at & Trace::surface_flag) look_up(surf_or_stream_cache_, *at & Trace::node_mask);
-        if (*at & Trace::pixel_flag) return;
+        const EndWord surface{*at};
+        if (surface.has_line()) look_up(surf_or_stream_cache_, surface.line());
+        if (surface.ends_pixel()) return;
         at += 2;
     }
 }

@@ -21,7 +21,7 @@ template <Pipeline::RayFeed feed, bool levels>
     m.offer(Link::node_req, trav_.node_valid<levels>() & !is_list_, node_cache_.ready(),
             trav_.node_ray<levels>());
     const std::uint32_t read = node_cache_.answer();
-    const bool enters = levels && Trace::enters(rays_[read].head);
+    const bool enters = levels && VisitWord{rays_[read].head}.is_entry();
     m.lower_request = levels && is_low(read);
     m.offer(node_unit_req, node_cache_.valid() & !enters,
             node_unit_.ready() & ((box_hold_left_ == 0) | (m.lower_request != box_is_low_)), read);
@@ -55,7 +55,7 @@ template <Pipeline::RayFeed feed, bool levels>
         m.offer(Link::surf_req, shade_.surf_valid<levels>(), surf_or_stream_cache_.ready(),
                 shade_.surf_ray<levels>());
         const std::uint32_t came = surf_or_stream_cache_.answer();
-        m.placing = levels && (*rays_[came].at & Trace::place_flag);
+        m.placing = levels && EndWord{*rays_[came].at}.is_place();
         m.offer(Link::surf_rsp, surf_or_stream_cache_.valid(), shade_.ready() | m.placing, came);
         m.offer(Link::spawn, shade_.spawn_valid(), begins & !camera, shade_.spawn_ray());
         m.shade_code = shade_.code(surf_or_stream_cache_.valid() & !m.placing,
@@ -102,10 +102,10 @@ template <Pipeline::RayFeed feed> [[gnu::always_inline]] inline void Pipeline::a
 
 inline Decision::Flags Pipeline::decide(std::uint32_t ray, bool valid) {
     TraceCursor& cursor = rays_[ray];
-    const bool again = cursor.head >> Trace::dropped_shift,
-               done = !again & bool(cursor.head & Trace::end_flag);
+    const VisitWord head{cursor.head};
+    const bool again = head.dropped() > 0, done = !again & head.ends_ray();
     const bool visit = valid & !again & !done;
-    const std::uint32_t turns = std::uint32_t(valid & again) << Trace::dropped_shift;
+    const std::uint32_t turns = std::uint32_t(valid & again) << VisitWord::dropped_shift;
     cursor.at += visit;
     const std::uint32_t next = *cursor.at;
     cursor.head = select(visit, next, cursor.head - turns);
@@ -121,7 +121,7 @@ inline void Pipeline::enter(const LinkInside& change) {
 
 inline bool Pipeline::has_more(std::uint32_t ray, bool tested) {
     TraceCursor& cursor = rays_[ray];
-    const bool more = !(*cursor.at & Trace::last_flag);
+    const bool more = !TestWord{*cursor.at}.is_last();
     cursor.at += more & tested;
     return more;
 }

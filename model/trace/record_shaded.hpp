@@ -8,7 +8,7 @@ namespace rayclock {
 
 /// Returns the purpose of the next ray, as the word after a ray holds it.
 inline std::uint32_t purpose_word(const Shader& shader) {
-    return std::uint32_t(shader.purpose()) << Trace::purpose_shift;
+    return std::uint32_t(shader.purpose()) << EndWord::purpose_shift;
 }
 
 /// Records frames with shading: one block of pixels, all rays of each. record_block() does this for camera

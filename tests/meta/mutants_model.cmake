@@ -195,5 +195,5 @@ mutant(model_where_forgets_trav FILE model/machine/pipeline.cpp TEST unit [stuck
 ]]
   NEW [[]])
 mutant(model_trace_forgets_turns FILE model/trace/record.inl WITH model/trace/record.cpp TEST unit [trace]
-  OLD [[Trace::entry_flags : dropped << Trace::dropped_shift;]]
-  NEW [[Trace::entry_flags : std::uint32_t(dropped > 0) << Trace::dropped_shift;]])
+  OLD [[VisitWord::entry_flags : dropped << VisitWord::dropped_shift;]]
+  NEW [[VisitWord::entry_flags : std::uint32_t(dropped > 0) << VisitWord::dropped_shift;]])
