@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "model/base/morton.hpp"
-#include "model/unit/isect/any.hpp"
+#include "model/unit/isect/test_primitive.hpp"
 #include "model/unit/isect/tri.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "model/trace/trace.hpp"

@@ -105,7 +105,7 @@ struct FromAnywhere {
     }
     RAYCLOCK_INLINE void test(std::uint32_t half_line) {
         TriRsp rsp;
-        any_test(from, decoder.prim(half_line), hit.best(), config, rsp);
+        test_primitive(from, decoder.prim(half_line), hit.best(), config, rsp);
         hit.take(rsp);
     }
     RAYCLOCK_INLINE std::uint32_t t() const { return hit.t(); }

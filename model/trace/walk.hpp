@@ -1,7 +1,7 @@
 #pragma once
 // One ray's walk by the units' pure functions.
 #include "model/trace/tree_walk.hpp"
-#include "model/unit/isect/any.hpp"
+#include "model/unit/isect/test_primitive.hpp"
 #include "model/unit/isect/primitive.hpp"
 #include "model/trace/decoder.hpp"
 #include "model/trace/inside.hpp"
@@ -62,9 +62,9 @@ struct UnitPolicy {
     void test(std::uint32_t half_line) {
         tri.ray = ray.ray;
         if (config.has_homes())
-            any_test(inside.moved, primitive(half_line), hit.best(), config, tri);
+            test_primitive(inside.moved, primitive(half_line), hit.best(), config, tri);
         else if (config.shading)
-            any_test(ray, decoder.prim(half_line), hit.best(), config, tri);
+            test_primitive(ray, decoder.prim(half_line), hit.best(), config, tri);
         else if (config.has_instances())
             primitive_test(o(), d(), primitive(half_line), hit.best(), config, tri);
         else

@@ -40,7 +40,7 @@ mutant(rule_spheres_smaller_than_the_scene_s FILE model/compile/surfaces.cpp TES
   [[        const double square = std::min(std::round(0.999 * radius * 0.999 * radius), std::exp2(2 * coord_bits) - 1);]])
 
 # ---- Where rays come from.
-mutant(rule_rays_leave_a_sphere_four_ticks_too_far FILE model/unit/isect/any.cpp TEST simulate
+mutant(rule_rays_leave_a_sphere_four_ticks_too_far FILE model/unit/isect/test_primitive.cpp TEST simulate
   "spheres --depth 2"
   OLD [[const std::uint32_t t = distance_of(way, units - scale, m.square, config);]]
   NEW [[const std::uint32_t t = 4 + distance_of(way, units - scale, m.square, config);]]

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "model/unit/isect/any.hpp"
+#include "model/unit/isect/test_primitive.hpp"
 #include "model/unit/shade/approach.hpp"
 #include "model/unit/shade/dot.hpp"
 #include "model/unit/shade/light.hpp"
@@ -239,7 +239,7 @@ TEST_CASE("a ray that tests finite primitives only hits no plane", "[far]") {
             for (const std::uint32_t finite : {0u, 1u}) {
                 prim.kind = std::uint32_t(kind), ray.kind = std::uint32_t(of), ray.is_partial = finite;
                 TriRsp out;
-                any_test(ray, prim, {}, c, out);
+                test_primitive(ray, prim, {}, c, out);
                 CHECK(out.closer == !(finite && kind == PrimKind::plane));
             }
 }

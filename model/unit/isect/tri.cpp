@@ -1,7 +1,7 @@
 // The unit tri, and its exact test in 64 bits.
 #include "model/unit/isect/tri.hpp"
 
-#include "model/unit/isect/any.hpp"
+#include "model/unit/isect/test_primitive.hpp"
 #include "model/unit/isect/edges.hpp"
 #include "model/unit/isect/sheared.hpp"
 
@@ -32,7 +32,7 @@ TriRsp tri(const TriReq& req, const Config& config) {
         ray.self = req.self;
         ray.is_inside = req.is_inside;
         ray.is_partial = req.is_partial;
-        any_test(ray, req.triangle, req.best, config, rsp);
+        test_primitive(ray, req.triangle, req.best, config, rsp);
     } else if (config.is_sheared()) {
         sheared_test(req.o, req.shear, req.triangle, req.best, config, rsp);
     } else {

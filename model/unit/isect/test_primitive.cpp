@@ -1,5 +1,5 @@
 // Tests of planes and spheres, and of secondary rays, for a chip that shades.
-#include "model/unit/isect/any.hpp"
+#include "model/unit/isect/test_primitive.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -171,7 +171,8 @@ Root root(WideNatural square) {
     return r;
 }
 
-void any_test(const Ray& ray, const PrimData& prim, const Best& best, const Config& config, TriRsp& out) {
+void test_primitive(const Ray& ray, const PrimData& prim, const Best& best, const Config& config,
+                    TriRsp& out) {
     no_hit(out);
     const PrimKind kind = config.has_kinds() ? PrimKind(prim.kind) : PrimKind::triangle;
     if (kind == PrimKind::sphere) return sphere_test(ray, prim, best, config, out);
