@@ -287,7 +287,7 @@ void check_tradeoff_paths(const std::string& path, const std::vector<std::string
 }
 
 void write_tradeoff(const std::string& path, const Tradeoff& what, const std::string& command,
-                    jobs::Cache& cache, const Progress& progress) {
+                    results::Cache& cache, const Progress& progress) {
     const Study study = make_study(khz);
     std::vector<SceneStudy> scenes;
     for (const std::string& name : what.scenes) {

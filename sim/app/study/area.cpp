@@ -66,7 +66,7 @@ int run_area(const AreaOptions& o) {
     o.json.check();
     if (!o.output.empty()) check_writable(o.output);
     const Progress progress = terminal_progress();
-    jobs::Cache cache(rtl_cache() / "area", o.fresh);
+    results::Cache cache(rtl_cache() / "area", o.fresh);
     const area::Areas areas = area::run(std::move(variants), o.units, o.threads, cache, progress);
     if (areas.partial)
         throw Interrupted("interrupted: no page was written; the same command continues where it stopped");

@@ -67,7 +67,7 @@ std::vector<structures::Areas> areas_of(const std::vector<structures::NamedStruc
         variants.push_back({structure.name, structure.config});
         variants.push_back({structure.name + ", all units", area::all_units(structure.config)});
     }
-    jobs::Cache cache(rtl_cache() / "area", o.fresh);
+    results::Cache cache(rtl_cache() / "area", o.fresh);
     const area::Areas areas = area::run(std::move(variants), {}, o.threads, cache, progress);
     if (areas.partial)
         throw Interrupted("interrupted: no page was written; the same command continues where it stopped");

@@ -30,7 +30,7 @@ private:
     const Scene& scene_;
     FrameSize size_;
     int khz_, threads_;
-    jobs::Cache frames_, areas_;
+    results::Cache frames_, areas_;
     const Progress& progress_;
     PictureChoice picture_;
     std::map<int, CompileReport> reports_;   ///< by node_width

@@ -48,7 +48,8 @@ Counts counts_of(const JsonValue& in, std::uint64_t rays) {
 }
 
 std::string check_of(const ordered_json& batches, const ordered_json& counts) {
-    return jobs::hash_text(batches.dump() + counts.dump());   // protects against mistakes, not against malice
+    return results::hash_text(batches.dump() + counts.dump());   // protects against mistakes, not against
+                                                                 // malice
 }
 
 }   // namespace

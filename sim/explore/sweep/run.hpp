@@ -76,6 +76,6 @@ struct Outcome {
 };
 
 /// Runs a sweep. Stops early when interrupted(); finished work is in the cache.
-Outcome run(const Plan& plan, jobs::Cache& cache, const Progress& progress);
+Outcome run(const Plan& plan, results::Cache& cache, const Progress& progress);
 
 }   // namespace rayclock::sweep

@@ -9,7 +9,7 @@
 #include "sim/files/json_value.hpp"
 #include "sim/files/output.hpp"
 
-namespace rayclock::jobs {
+namespace rayclock::results {
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
@@ -74,4 +74,4 @@ std::string Cache::trouble() const {
     return trouble_;
 }
 
-}   // namespace rayclock::jobs
+}   // namespace rayclock::results

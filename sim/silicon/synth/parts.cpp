@@ -130,7 +130,7 @@ std::optional<std::string> shape_of(const Config& config, const std::string& uni
     const std::string tidy =
         "proc\nopt_expr\nopt_clean\nsetattr -unset src\nsetattr -mod -unset src\nwrite_rtlil shape.il\n";
     if (!folder.run(config, read_flags, elaborate(config, unit) + tidy)) return std::nullopt;
-    return jobs::hash_text(folder.text("shape.il"));
+    return results::hash_text(folder.text("shape.il"));
 }
 
 std::optional<Part> synthesize(const Config& config, const std::string& unit,

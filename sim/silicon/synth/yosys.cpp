@@ -60,7 +60,7 @@ const std::string& rtl_digest(RtlScope scope) {
         std::string all;
         for (const RtlText& source : rtl_texts(sources))
             if (source.name.ends_with(".sv")) all += source.name + "\n" + synthesised_text(source.text);
-        return jobs::hash_text(all);
+        return results::hash_text(all);
     };
     if (scope == RtlScope::board) {
         static const std::string of_board = digest_of(RtlScope::board);
