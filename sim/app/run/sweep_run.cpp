@@ -1,7 +1,7 @@
 // Runs a sweep and makes its report.
 #include "sim/app/run/sweep_run.hpp"
 
-#include "sim/app/options/options.hpp"
+#include "sim/app/run/typed_values.hpp"
 #include "sim/app/run/clock.hpp"
 #include "sim/explore/sweep/cost.hpp"
 #include "sim/explore/sweep/table.hpp"
