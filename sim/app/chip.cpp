@@ -16,7 +16,7 @@
 #include "sim/app/options/options.hpp"
 #include "sim/silicon/chip/estimate.hpp"
 #include "sim/silicon/chip/picture.hpp"
-#include "sim/silicon/chip/report.hpp"
+#include "sim/silicon/chip/chip_report.hpp"
 #include "sim/run/frame/frame.hpp"
 #include "sim/view/report/accounts.hpp"
 #include "sim/view/report/json.hpp"

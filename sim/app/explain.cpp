@@ -10,7 +10,7 @@
 #include "sim/app/run/explain_run.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/app/parts/stream_commands.hpp"
-#include "sim/view/explain/page.hpp"
+#include "sim/view/explain/explain_page.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/streams.hpp"
 #include "sim/view/report/tables.hpp"

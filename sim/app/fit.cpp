@@ -12,7 +12,7 @@
 #include "sim/app/parts/fit_device.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/explore/fit/dominant.hpp"
-#include "sim/explore/fit/report.hpp"
+#include "sim/explore/fit/fit_report.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/tables.hpp"
 #include "sim/view/report/text.hpp"

@@ -24,7 +24,7 @@
 #include "sim/view/report/tables.hpp"
 #include "sim/view/report/text.hpp"
 #include "sim/view/page/frame.hpp"
-#include "sim/view/page/page.hpp"
+#include "sim/view/page/run_page.hpp"
 #include "sim/files/process/stopping.hpp"
 
 namespace rayclock {

@@ -25,7 +25,7 @@
 #include "sim/view/report/lockstep.hpp"
 #include "sim/view/report/tables.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/explore/stress/report.hpp"
+#include "sim/explore/stress/stress_report.hpp"
 
 namespace rayclock {
 

@@ -9,7 +9,7 @@
 
 #include "model/base/error.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/explore/stress/report.hpp"
+#include "sim/explore/stress/stress_report.hpp"
 #include "sim/explore/stress/sketch.hpp"
 
 namespace rayclock::stress {

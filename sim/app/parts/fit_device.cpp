@@ -8,8 +8,8 @@
 #include "model/base/quote.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/explore/balance/scene_evaluator.hpp"
-#include "sim/explore/balance/report.hpp"
-#include "sim/silicon/chip/report.hpp"
+#include "sim/explore/balance/balance_report.hpp"
+#include "sim/silicon/chip/chip_report.hpp"
 #include "sim/run/rtl/builder.hpp"
 
 namespace rayclock {

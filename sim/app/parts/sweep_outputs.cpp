@@ -13,7 +13,7 @@
 #include "sim/view/page/frame.hpp"
 #include "sim/view/report/text.hpp"
 #include "sim/explore/sweep/cost.hpp"
-#include "sim/explore/sweep/page.hpp"
+#include "sim/explore/sweep/sweep_page.hpp"
 #include "sim/explore/sweep/plot.hpp"
 #include "sim/explore/sweep/table.hpp"
 

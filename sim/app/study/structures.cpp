@@ -9,7 +9,7 @@
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/files/image/image.hpp"
-#include "sim/study/structures/page.hpp"
+#include "sim/study/structures/structures_page.hpp"
 #include "sim/study/typed.hpp"
 #include "sim/view/report/text.hpp"
 #include "sim/run/rtl/builder.hpp"

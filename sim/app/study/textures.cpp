@@ -9,7 +9,7 @@
 #include "sim/app/options/options.hpp"
 #include "sim/files/image/image.hpp"
 #include "sim/files/process/stopping.hpp"
-#include "sim/study/textures/page.hpp"
+#include "sim/study/textures/textures_page.hpp"
 #include "sim/study/typed.hpp"
 #include "sim/view/report/text.hpp"
 

@@ -1,7 +1,7 @@
 // Compares adaptive samples with the same number of samples everywhere.
 #include <fmt/format.h>
 
-#include "sim/study/figures/page.hpp"
+#include "sim/study/figures/figures_page.hpp"
 #include "sim/view/report/text.hpp"
 
 namespace rayclock::figures {

@@ -1,5 +1,5 @@
 // Writes docs/measured/structures.md from measurements. The comparisons and the causes are in reasons.cpp.
-#include "sim/study/structures/page.hpp"
+#include "sim/study/structures/structures_page.hpp"
 
 #include <algorithm>
 #include <cmath>

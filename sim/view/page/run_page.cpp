@@ -1,5 +1,5 @@
 // Writes the page of one simulated frame: viewer, key figures, sections, tables and downloads.
-#include "sim/view/page/page.hpp"
+#include "sim/view/page/run_page.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Formats results of chips as text and as JSON.
-#include "sim/silicon/chip/report.hpp"
+#include "sim/silicon/chip/chip_report.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

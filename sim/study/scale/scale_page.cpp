@@ -1,5 +1,5 @@
 // Writes the page of the study of scale.
-#include "sim/study/scale/page.hpp"
+#include "sim/study/scale/scale_page.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // Builds the page of a sweep.
-#include "sim/explore/sweep/page.hpp"
+#include "sim/explore/sweep/sweep_page.hpp"
 
 #include <fmt/format.h>
 
