@@ -12,10 +12,10 @@
 #include <fmt/format.h>
 
 #include "model/unit/isect/origin.hpp"
-#include "sim/view/report/text.hpp"
 #include "sim/explore/stress/shadow_scenes.hpp"
 #include "sim/explore/stress/shadows.hpp"
 #include "sim/files/process/parallel.hpp"
+#include "sim/view/report/text.hpp"
 
 using namespace rayclock;
 

@@ -6,14 +6,14 @@
 #include <numbers>
 
 #include <fmt/format.h>
-#include <glm/vec3.hpp>
 #include <tbb/global_control.h>
+#include <glm/vec3.hpp>
 
-#include "model/compile/refit/refit.hpp"
-#include "model/compile/surfaces.hpp"
+#include "model/base/stopwatch.hpp"
 #include "model/compile/frame.hpp"
 #include "model/compile/lattice.hpp"
-#include "model/base/stopwatch.hpp"
+#include "model/compile/refit/refit.hpp"
+#include "model/compile/surfaces.hpp"
 #include "model/trace/record.hpp"
 #include "model/trace/trace.hpp"
 

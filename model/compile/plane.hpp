@@ -2,8 +2,8 @@
 // An infinite plane on the lattice.
 #include <optional>
 
-#include "model/scene/scene.hpp"
 #include "model/layout/memory_image.hpp"
+#include "model/scene/scene.hpp"
 
 namespace rayclock {
 

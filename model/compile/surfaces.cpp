@@ -6,15 +6,15 @@
 #include <cmath>
 #include <set>
 
-#include <glm/geometric.hpp>
 #include <tbb/parallel_for.h>
+#include <glm/geometric.hpp>
 
-#include "model/compile/emit.hpp"
-#include "model/compile/textures.hpp"
-#include "model/layout/words.hpp"
-#include "model/compile/plane.hpp"
 #include "model/base/error.hpp"
+#include "model/compile/emit.hpp"
+#include "model/compile/plane.hpp"
+#include "model/compile/textures.hpp"
 #include "model/core/settled.hpp"
+#include "model/layout/words.hpp"
 #include "model/unit/isect/edges.hpp"
 
 namespace rayclock {

@@ -4,9 +4,9 @@
 #include <unordered_map>
 
 #include "model/machine/machine.hpp"
+#include "model/trace/walk.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "model/unit/shade/shader.hpp"
-#include "model/trace/walk.hpp"
 
 namespace rayclock {
 

@@ -4,13 +4,13 @@
 
 #include "model/machine/links.hpp"
 #include "model/machine/unit_codes.hpp"
-#include "model/unit/list/list.hpp"
 #include "model/mem/cache.hpp"
 #include "model/mem/memport.hpp"
+#include "model/trace/trace.hpp"
+#include "model/unit/list/list.hpp"
 #include "model/unit/sched/sched.hpp"
 #include "model/unit/shade/unit.hpp"
 #include "model/unit/tex/unit.hpp"
-#include "model/trace/trace.hpp"
 #include "model/unit/trav/trav.hpp"
 
 namespace rayclock {

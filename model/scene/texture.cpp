@@ -6,11 +6,11 @@
 #include <limits>
 #include <stdexcept>
 
+#include <tbb/parallel_for.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
-#include <tbb/parallel_for.h>
 
 #include "model/scene/scene.hpp"
 

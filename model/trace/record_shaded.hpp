@@ -1,8 +1,8 @@
 #pragma once
 // The recorder for a chip that shades.
-#include "model/unit/shade/shader.hpp"
 #include "model/trace/record.hpp"
 #include "model/trace/trace.hpp"
+#include "model/unit/shade/shader.hpp"
 
 namespace rayclock {
 

@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
-#include "model/layout/memory_image.hpp"
 #include "model/base/progress.hpp"
+#include "model/layout/memory_image.hpp"
 #include "model/scene/whitted.hpp"
 #include "model/trace/trace_words.hpp"
 

@@ -1,10 +1,10 @@
 #pragma once
 // One ray's walk by the units' pure functions.
-#include "model/trace/tree_walk.hpp"
-#include "model/unit/isect/test_primitive.hpp"
-#include "model/unit/isect/primitive.hpp"
 #include "model/trace/decoder.hpp"
 #include "model/trace/inside.hpp"
+#include "model/trace/tree_walk.hpp"
+#include "model/unit/isect/primitive.hpp"
+#include "model/unit/isect/test_primitive.hpp"
 
 namespace rayclock {
 

@@ -5,23 +5,23 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "model/compile/surfaces.hpp"
 #include "model/base/error.hpp"
 #include "model/base/interrupted.hpp"
 #include "model/base/nearest.hpp"
 #include "model/board/sdram_parts.hpp"
+#include "model/compile/surfaces.hpp"
 #include "sim/app/options/commands.hpp"
-#include "sim/app/run/clock.hpp"
-#include "sim/app/parts/methods.hpp"
 #include "sim/app/options/options.hpp"
+#include "sim/app/parts/methods.hpp"
+#include "sim/app/run/clock.hpp"
+#include "sim/run/frame/frame.hpp"
+#include "sim/run/rtl/builder.hpp"
+#include "sim/silicon/chip/chip_report.hpp"
 #include "sim/silicon/chip/estimate.hpp"
 #include "sim/silicon/chip/picture.hpp"
-#include "sim/silicon/chip/chip_report.hpp"
-#include "sim/run/frame/frame.hpp"
 #include "sim/view/report/accounts.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/run/rtl/builder.hpp"
 
 namespace rayclock {
 

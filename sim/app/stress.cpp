@@ -13,19 +13,19 @@
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/app/parts/stream_commands.hpp"
+#include "sim/explore/stress/stress_report.hpp"
 #include "sim/explore/torture/streamed.hpp"
+#include "sim/files/image/image.hpp"
 #include "sim/files/input.hpp"
-#include "sim/files/process/stopping.hpp"
 #include "sim/files/process/parallel.hpp"
+#include "sim/files/process/stopping.hpp"
 #include "sim/run/frame/frame.hpp"
 #include "sim/run/rtl/builder.hpp"
-#include "sim/files/image/image.hpp"
 #include "sim/study/hard_cases.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/lockstep.hpp"
 #include "sim/view/report/tables.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/explore/stress/stress_report.hpp"
 
 namespace rayclock {
 

@@ -6,12 +6,12 @@
 #include "model/base/stopwatch.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
+#include "sim/explore/torture/torture.hpp"
 #include "sim/files/process/parallel.hpp"
+#include "sim/run/rtl/builder.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/lockstep.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/run/rtl/builder.hpp"
-#include "sim/explore/torture/torture.hpp"
 
 namespace rayclock {
 

@@ -7,13 +7,13 @@
 #include "model/base/error.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/scene/folded.hpp"
-#include "sim/files/input.hpp"
 #include "sim/files/image/average.hpp"
+#include "sim/files/input.hpp"
+#include "sim/files/text.hpp"
 #include "sim/load/json/scene.hpp"
 #include "sim/load/lights.hpp"
 #include "sim/load/mesh/mesh_file.hpp"
 #include "sim/load/textures.hpp"
-#include "sim/files/text.hpp"
 
 namespace rayclock {
 namespace {

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "sim/files/process/stopping.hpp"
 #include "sim/files/process/parallel.hpp"
+#include "sim/files/process/stopping.hpp"
 #include "sim/files/table.hpp"
 #include "sim/run/sample/sample.hpp"
 #include "sim/view/report/sampled.hpp"

@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "model/compile/surfaces.hpp"
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
-#include "sim/judge/reference/reference.hpp"
+#include "model/compile/surfaces.hpp"
 #include "model/scene/builtin.hpp"
+#include "sim/judge/reference/reference.hpp"
 #include "sim/run/frame/frame.hpp"
 #include "sim/view/report/text.hpp"
 

@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
-#include "model/base/interrupted.hpp"
 #include "model/base/error.hpp"
-#include "sim/files/image/image.hpp"
-#include "sim/view/report/text.hpp"
-#include "sim/run/request/request.hpp"
+#include "model/base/interrupted.hpp"
 #include "sim/explore/sweep/table.hpp"
+#include "sim/files/image/image.hpp"
+#include "sim/run/request/request.hpp"
 #include "sim/silicon/synth/yosys.hpp"
+#include "sim/view/report/text.hpp"
 
 namespace rayclock::sweep {
 

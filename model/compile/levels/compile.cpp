@@ -6,15 +6,15 @@
 
 #include <glm/matrix.hpp>
 
-#include "model/engine/engines.hpp"
-#include "model/compile/emit.hpp"
-#include "model/engine/check.hpp"
-#include "model/layout/words.hpp"
-#include "model/compile/refit/refit.hpp"
-#include "model/compile/surfaces.hpp"
-#include "model/compile/compile.hpp"
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
+#include "model/compile/compile.hpp"
+#include "model/compile/emit.hpp"
+#include "model/compile/refit/refit.hpp"
+#include "model/compile/surfaces.hpp"
+#include "model/engine/check.hpp"
+#include "model/engine/engines.hpp"
+#include "model/layout/words.hpp"
 
 namespace rayclock {
 namespace {

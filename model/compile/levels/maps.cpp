@@ -5,11 +5,11 @@
 #include <limits>
 #include <map>
 
-#include "model/compile/plane.hpp"
-#include "model/compile/surfaces.hpp"
+#include "model/base/error.hpp"
 #include "model/compile/compile.hpp"
 #include "model/compile/lattice.hpp"
-#include "model/base/error.hpp"
+#include "model/compile/plane.hpp"
+#include "model/compile/surfaces.hpp"
 
 #include <glm/common.hpp>
 

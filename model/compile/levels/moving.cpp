@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "model/base/stopwatch.hpp"
+#include "model/compile/surfaces.hpp"
 #include "model/engine/engines.hpp"
 #include "model/layout/words.hpp"
-#include "model/compile/surfaces.hpp"
-#include "model/base/stopwatch.hpp"
 
 namespace rayclock {
 

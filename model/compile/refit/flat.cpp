@@ -3,17 +3,17 @@
 
 #include <algorithm>
 
-#include <glm/common.hpp>
 #include <tbb/parallel_for.h>
+#include <glm/common.hpp>
 
+#include "model/base/stopwatch.hpp"
+#include "model/compile/compile.hpp"
 #include "model/compile/emit.hpp"
-#include "model/layout/words.hpp"
+#include "model/compile/lattice.hpp"
 #include "model/compile/plane.hpp"
 #include "model/compile/surfaces.hpp"
 #include "model/compile/textures.hpp"
-#include "model/compile/compile.hpp"
-#include "model/compile/lattice.hpp"
-#include "model/base/stopwatch.hpp"
+#include "model/layout/words.hpp"
 
 namespace rayclock {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <tbb/parallel_for.h>
 
+#include "model/compile/compile.hpp"
+#include "model/compile/emit.hpp"
 #include "model/engine/bvh/collapse.hpp"
 #include "model/engine/bvh/decode.hpp"
-#include "model/compile/emit.hpp"
-#include "model/compile/compile.hpp"
 #include "model/engine/bvh/encode.hpp"
 #include "model/layout/words.hpp"
 

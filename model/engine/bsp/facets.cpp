@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/geometric.hpp>
 #include <tbb/parallel_for.h>
+#include <glm/geometric.hpp>
 
 #include "model/unit/isect/vectors.hpp"
 

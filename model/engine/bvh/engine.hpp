@@ -1,7 +1,7 @@
 #pragma once
 // The descriptor of structure=bvh.
-#include "model/engine/parts.hpp"
 #include "model/engine/bvh/box.hpp"
+#include "model/engine/parts.hpp"
 
 namespace rayclock::engine {
 

@@ -1,7 +1,7 @@
 #pragma once
 // The binary tree over boxes, with spatial splits.
-#include "model/layout/tree.hpp"
 #include "model/core/config.hpp"
+#include "model/layout/tree.hpp"
 
 namespace rayclock {
 

@@ -1,7 +1,7 @@
 #pragma once
 // The descriptor of structure=spheres.
-#include "model/engine/spheres/globe.hpp"
 #include "model/engine/parts.hpp"
+#include "model/engine/spheres/globe.hpp"
 
 namespace rayclock::engine {
 

@@ -1,9 +1,9 @@
 // The unit tri, and its exact test in 64 bits.
 #include "model/unit/isect/tri.hpp"
 
-#include "model/unit/isect/test_primitive.hpp"
 #include "model/unit/isect/edges.hpp"
 #include "model/unit/isect/sheared.hpp"
+#include "model/unit/isect/test_primitive.hpp"
 
 namespace rayclock {
 

@@ -5,8 +5,8 @@
 #include <bit>
 #include <cstdlib>
 
-#include "model/unit/isect/sheared.hpp"
 #include "model/scene/whitted.hpp"
+#include "model/unit/isect/sheared.hpp"
 
 namespace rayclock {
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "model/unit/shade/dot.hpp"
 #include "model/unit/shade/bounce.hpp"
+#include "model/unit/shade/dot.hpp"
 #include "model/unit/shade/power.hpp"
 #include "model/unit/shade/unit_vector.hpp"
 #include "model/unit/xform/xform.hpp"

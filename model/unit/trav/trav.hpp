@@ -1,8 +1,8 @@
 #pragma once
 // The unit trav in time. stack.hpp has its decisions.
 #include "model/core/ring.hpp"
-#include "model/unit/trav/stack.hpp"
 #include "model/core/stages.hpp"
+#include "model/unit/trav/stack.hpp"
 
 namespace rayclock {
 

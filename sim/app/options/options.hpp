@@ -7,9 +7,9 @@
 #include "sim/app/options/parser.hpp"
 #include "sim/app/run/typed_values.hpp"
 #include "sim/run/film/film.hpp"
-#include "sim/view/report/limits.hpp"
 #include "sim/run/request/config_file.hpp"
 #include "sim/run/request/request.hpp"
+#include "sim/view/report/limits.hpp"
 
 namespace rayclock {
 

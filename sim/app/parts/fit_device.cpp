@@ -7,10 +7,10 @@
 #include "model/base/interrupted.hpp"
 #include "model/base/quote.hpp"
 #include "sim/app/options/options.hpp"
-#include "sim/explore/balance/scene_evaluator.hpp"
 #include "sim/explore/balance/balance_report.hpp"
-#include "sim/silicon/chip/chip_report.hpp"
+#include "sim/explore/balance/scene_evaluator.hpp"
 #include "sim/run/rtl/builder.hpp"
+#include "sim/silicon/chip/chip_report.hpp"
 
 namespace rayclock {
 

@@ -5,8 +5,8 @@
 #include <mutex>
 
 #include "sim/app/run/clock.hpp"
-#include "sim/files/process/stopping.hpp"
 #include "sim/files/process/parallel.hpp"
+#include "sim/files/process/stopping.hpp"
 #include "sim/view/report/accounts.hpp"
 
 namespace rayclock {

@@ -1,8 +1,8 @@
 // Runs a sweep and makes its report.
 #include "sim/app/run/sweep_run.hpp"
 
-#include "sim/app/run/typed_values.hpp"
 #include "sim/app/run/clock.hpp"
+#include "sim/app/run/typed_values.hpp"
 #include "sim/explore/sweep/cost.hpp"
 #include "sim/explore/sweep/table.hpp"
 #include "sim/run/rtl/builder.hpp"

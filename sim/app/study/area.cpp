@@ -9,12 +9,12 @@
 #include "model/base/nearest.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
-#include "sim/run/frame/frame.hpp"
 #include "sim/files/image/image.hpp"
+#include "sim/run/frame/frame.hpp"
+#include "sim/run/rtl/builder.hpp"
 #include "sim/study/area.hpp"
 #include "sim/study/typed.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/run/rtl/builder.hpp"
 
 namespace rayclock {
 

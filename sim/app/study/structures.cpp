@@ -4,16 +4,16 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
-#include "model/engine/check.hpp"
 #include "model/base/quote.hpp"
+#include "model/engine/check.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/files/image/image.hpp"
+#include "sim/files/process/stopping.hpp"
+#include "sim/run/rtl/builder.hpp"
 #include "sim/study/structures/structures_page.hpp"
 #include "sim/study/typed.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/run/rtl/builder.hpp"
-#include "sim/files/process/stopping.hpp"
 
 namespace rayclock {
 

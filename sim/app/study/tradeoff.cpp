@@ -4,10 +4,10 @@
 #include "model/base/quote.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
+#include "sim/run/rtl/builder.hpp"
 #include "sim/study/tradeoff.hpp"
 #include "sim/study/typed.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/run/rtl/builder.hpp"
 
 namespace rayclock {
 

@@ -5,8 +5,8 @@
 
 #include "model/base/progress.hpp"
 #include "sim/explore/balance/search.hpp"
-#include "sim/run/film/choice.hpp"
 #include "sim/files/cache/results.hpp"
+#include "sim/run/film/choice.hpp"
 
 namespace rayclock::balance {
 

@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "model/engine/check.hpp"
 #include "model/base/stopwatch.hpp"
-#include "sim/run/frame/frame.hpp"
+#include "model/engine/check.hpp"
 #include "sim/explore/stress/shadows.hpp"
 #include "sim/explore/stress/state.hpp"
 #include "sim/files/process/parallel.hpp"
+#include "sim/run/frame/frame.hpp"
 
 namespace rayclock::stress {
 

@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "model/base/error.hpp"
+#include "sim/files/cache/results.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/json_value.hpp"
 #include "sim/files/text.hpp"
-#include "sim/files/cache/results.hpp"
 #include "sim/view/report/text.hpp"
 
 namespace rayclock::stress {

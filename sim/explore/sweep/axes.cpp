@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "model/engine/check.hpp"
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/split.hpp"
-#include "model/core/settled.hpp"
 #include "model/core/parameters.hpp"
+#include "model/core/settled.hpp"
+#include "model/engine/check.hpp"
 #include "sim/run/memory/memory_file.hpp"
 
 namespace rayclock::sweep {

@@ -3,9 +3,9 @@
 
 #include "model/base/error.hpp"
 #include "model/base/nearest.hpp"
-#include "sim/silicon/area/run.hpp"
 #include "sim/explore/fit/cost.hpp"
 #include "sim/explore/sweep/run.hpp"
+#include "sim/silicon/area/run.hpp"
 #include "sim/silicon/synth/netlist.hpp"
 
 namespace rayclock::sweep {

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <string>
 
+#include "model/base/progress.hpp"
 #include "model/core/config.hpp"
 #include "sim/files/cache/results.hpp"
-#include "model/base/progress.hpp"
 
 namespace rayclock::sweep {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <atomic>
 
-#include "sim/judge/oracle/surface.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "sim/files/process/parallel.hpp"
+#include "sim/judge/oracle/surface.hpp"
 
 namespace rayclock::sweep {
 

@@ -10,11 +10,11 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/scene/camera.hpp"
+#include "sim/explore/sweep/table.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/json_value.hpp"
 #include "sim/run/request/config_file.hpp"
 #include "sim/run/stream/make_rays.hpp"
-#include "sim/explore/sweep/table.hpp"
 
 namespace rayclock::sweep {
 

@@ -12,16 +12,16 @@
 #include "model/base/error.hpp"
 #include "model/base/interrupted.hpp"
 #include "model/core/parameters.hpp"
-#include "sim/judge/reference/reference.hpp"
-#include "sim/run/memory/memory_file.hpp"
-#include "sim/run/request/reference_picture.hpp"
-#include "sim/files/process/stopping.hpp"
 #include "sim/explore/sweep/cracks.hpp"
 #include "sim/explore/sweep/key.hpp"
 #include "sim/explore/sweep/table.hpp"
+#include "sim/files/process/parallel.hpp"
+#include "sim/files/process/stopping.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/run/memory/memory_file.hpp"
+#include "sim/run/request/reference_picture.hpp"
 #include "sim/silicon/synth/netlist.hpp"
 #include "sim/silicon/synth/yosys.hpp"
-#include "sim/files/process/parallel.hpp"
 
 namespace rayclock::sweep {
 

@@ -2,13 +2,13 @@
 // Computes the figures of all points in parallel. Computes only figures that are not cached.
 #include <optional>
 
+#include "sim/explore/sweep/axes.hpp"
+#include "sim/files/cache/results.hpp"
 #include "sim/run/film/choice.hpp"
 #include "sim/run/sample/sample.hpp"
 #include "sim/run/stream/input.hpp"
-#include "sim/view/report/json.hpp"
-#include "sim/explore/sweep/axes.hpp"
-#include "sim/files/cache/results.hpp"
 #include "sim/silicon/synth/parts.hpp"
+#include "sim/view/report/json.hpp"
 
 namespace rayclock::sweep {
 

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include "model/base/split.hpp"
+#include "sim/explore/sweep/table.hpp"
 #include "sim/view/page/frame.hpp"
 #include "sim/view/page/html.hpp"
-#include "sim/explore/sweep/table.hpp"
 
 namespace rayclock::sweep {
 

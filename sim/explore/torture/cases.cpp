@@ -1,11 +1,11 @@
 // Builds the torture cases of a chip from images, frames and disturbances.
 #include "sim/explore/torture/cases.hpp"
 #include "model/compile/stream.hpp"
-#include "model/engine/engines.hpp"
 #include "model/engine/check.hpp"
+#include "model/engine/engines.hpp"
 
-#include "model/layout/words.hpp"
 #include "model/engine/none/page.hpp"
+#include "model/layout/words.hpp"
 #include "sim/explore/torture/frames.hpp"
 #include "sim/explore/torture/image.hpp"
 

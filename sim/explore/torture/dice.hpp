@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "model/core/frame.hpp"
 #include "model/base/rng.hpp"
+#include "model/core/frame.hpp"
 
 namespace rayclock::torture {
 

@@ -3,13 +3,13 @@
 
 #include <cmath>
 
-#include "model/engine/engines.hpp"
-#include "model/compile/emit.hpp"
-#include "model/compile/compile.hpp"
 #include "model/base/axes.hpp"
-#include "model/layout/words.hpp"
+#include "model/compile/compile.hpp"
+#include "model/compile/emit.hpp"
 #include "model/core/payloads.hpp"
+#include "model/engine/engines.hpp"
 #include "model/engine/none/page.hpp"
+#include "model/layout/words.hpp"
 #include "sim/explore/torture/frames.hpp"
 #include "sim/explore/torture/levels.hpp"
 #include "sim/explore/torture/textures.hpp"

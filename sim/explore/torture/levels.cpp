@@ -4,11 +4,11 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "model/compile/emit.hpp"
-#include "model/layout/words.hpp"
-#include "model/compile/levels/upper.hpp"
-#include "model/compile/compile.hpp"
 #include "model/base/axes.hpp"
+#include "model/compile/compile.hpp"
+#include "model/compile/emit.hpp"
+#include "model/compile/levels/upper.hpp"
+#include "model/layout/words.hpp"
 #include "sim/explore/torture/textures.hpp"
 
 namespace rayclock::torture {

@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
-#include "model/core/parameters.hpp"
-#include "model/engine/check.hpp"
 #include "model/base/error.hpp"
 #include "model/base/rng.hpp"
+#include "model/core/parameters.hpp"
+#include "model/engine/check.hpp"
 
 namespace rayclock {
 

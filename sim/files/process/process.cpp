@@ -17,8 +17,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "model/base/interrupted.hpp"
 #include "model/base/error.hpp"
+#include "model/base/interrupted.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/split.hpp"
 #include "sim/files/process/interrupt.hpp"

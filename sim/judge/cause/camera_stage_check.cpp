@@ -8,9 +8,9 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "sim/judge/reference/whitted.hpp"
 #include "sim/judge/cause/tie.hpp"
 #include "sim/judge/paths/steps.hpp"
+#include "sim/judge/reference/whitted.hpp"
 
 namespace rayclock {
 

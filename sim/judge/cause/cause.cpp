@@ -10,15 +10,15 @@
 
 #include "model/base/largest.hpp"
 #include "model/base/stopwatch.hpp"
-#include "model/trace/hits.hpp"
-#include "sim/judge/reference/reference.hpp"
-#include "sim/judge/reference/tiles.hpp"
 #include "model/scene/folded.hpp"
+#include "model/trace/hits.hpp"
+#include "sim/files/image/srgb.hpp"
 #include "sim/judge/cause/camera_stage_check.hpp"
+#include "sim/judge/cause/exact_answers.hpp"
 #include "sim/judge/cause/seam.hpp"
 #include "sim/judge/cause/snapped.hpp"
-#include "sim/judge/cause/exact_answers.hpp"
-#include "sim/files/image/srgb.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/judge/reference/tiles.hpp"
 
 namespace rayclock {
 

@@ -7,10 +7,10 @@
 
 #include "model/base/stopwatch.hpp"
 #include "model/scene/texture.hpp"
-#include "sim/judge/reference/tiles.hpp"
+#include "sim/files/image/srgb.hpp"
 #include "sim/judge/cause/guide.hpp"
 #include "sim/judge/cause/snapped.hpp"
-#include "sim/files/image/srgb.hpp"
+#include "sim/judge/reference/tiles.hpp"
 
 namespace rayclock {
 

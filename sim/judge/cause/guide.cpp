@@ -9,11 +9,11 @@
 #include <glm/matrix.hpp>
 
 #include "model/compile/levels/maps.hpp"
-#include "sim/judge/reference/geometry.hpp"
-#include "sim/judge/reference/holes.hpp"
 #include "sim/judge/cause/level_error.hpp"
 #include "sim/judge/cause/tie.hpp"
 #include "sim/judge/paths/steps.hpp"
+#include "sim/judge/reference/geometry.hpp"
+#include "sim/judge/reference/holes.hpp"
 
 namespace rayclock {
 

@@ -20,11 +20,11 @@
 #include <optional>
 #include <string>
 
-#include "sim/judge/reference/reference.hpp"
-#include "sim/judge/reference/steer.hpp"
 #include "sim/judge/cause/camera_ray.hpp"
 #include "sim/judge/cause/machine_path.hpp"
 #include "sim/judge/cause/seam.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/judge/reference/steer.hpp"
 
 namespace rayclock {
 

@@ -1,6 +1,6 @@
 // Judges the surface where a ray arrives: the point, the vectors there, and the lights.
-#include "model/compile/plane.hpp"
 #include "model/base/axes.hpp"
+#include "model/compile/plane.hpp"
 #include "model/scene/placed.hpp"
 #include "sim/judge/paths/path.hpp"
 

@@ -6,12 +6,12 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
-#include "model/compile/surfaces.hpp"
 #include "model/base/stopwatch.hpp"
-#include "sim/judge/reference/tiles.hpp"
+#include "model/compile/surfaces.hpp"
 #include "model/trace/record_shaded.hpp"
 #include "sim/judge/paths/camera.hpp"
 #include "sim/judge/paths/path.hpp"
+#include "sim/judge/reference/tiles.hpp"
 
 namespace rayclock {
 

@@ -6,8 +6,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "model/engine/engines.hpp"
 #include "model/compile/surfaces.hpp"
+#include "model/engine/engines.hpp"
 #include "sim/judge/paths/answer.hpp"
 
 namespace rayclock {

@@ -7,8 +7,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "model/compile/plane.hpp"
 #include "model/base/axes.hpp"
+#include "model/compile/plane.hpp"
 #include "sim/judge/paths/steps.hpp"
 #include "sim/judge/paths/texture.hpp"
 

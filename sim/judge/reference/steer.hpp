@@ -9,8 +9,8 @@
 // All vectors are in the tracer's space (RefUnitSpace), and directions are unit vectors.
 #include <array>
 
-#include "sim/judge/reference/ray.hpp"
 #include "model/scene/scene.hpp"
+#include "sim/judge/reference/ray.hpp"
 
 namespace rayclock {
 

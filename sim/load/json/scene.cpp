@@ -15,13 +15,13 @@
 #include "model/scene/folded.hpp"
 #include "model/scene/hit.hpp"
 #include "sim/files/input.hpp"
+#include "sim/files/text.hpp"
 #include "sim/load/json/motion.hpp"
 #include "sim/load/json/parts.hpp"
 #include "sim/load/json/shapes.hpp"
 #include "sim/load/mesh/mesh_file.hpp"
 #include "sim/load/place.hpp"
 #include "sim/load/textures.hpp"
-#include "sim/files/text.hpp"
 
 namespace rayclock {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
-#include "sim/files/npy.hpp"
 #include "sim/files/input.hpp"
+#include "sim/files/npy.hpp"
 
 namespace rayclock {
 

@@ -7,15 +7,15 @@
 
 #include <fmt/format.h>
 
-#include "model/unit/trav/children.hpp"
-#include "model/machine/links.hpp"
+#include "model/core/parameters.hpp"
 #include "model/core/stages.hpp"
+#include "model/engine/spheres/tables.hpp"
+#include "model/machine/links.hpp"
 #include "model/mem/cache.hpp"
 #include "model/unit/shade/state.hpp"
-#include "model/engine/spheres/tables.hpp"
 #include "model/unit/shade/tables.hpp"
 #include "model/unit/tex/texel.hpp"
-#include "model/core/parameters.hpp"
+#include "model/unit/trav/children.hpp"
 #include "sim/run/gen/registers.hpp"
 
 namespace rayclock {

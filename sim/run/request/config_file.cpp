@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "model/engine/check.hpp"
 #include "model/base/error.hpp"
 #include "model/base/nearest.hpp"
 #include "model/core/parameters.hpp"
+#include "model/engine/check.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/json_value.hpp"
 #include "sim/files/text.hpp"

@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
-#include "model/compile/surfaces.hpp"
 #include "model/base/error.hpp"
+#include "model/compile/surfaces.hpp"
 #include "model/core/settled.hpp"
 #include "model/scene/folded.hpp"
 #include "sim/run/frame/frame.hpp"
-#include "sim/run/request/ground.hpp"
 #include "sim/run/memory/memory_file.hpp"
+#include "sim/run/request/ground.hpp"
 #include "sim/run/request/ineffective.hpp"
 #include "sim/run/request/levels.hpp"
 #include "sim/run/request/material.hpp"

@@ -13,8 +13,8 @@
 #include "model/machine/machine.hpp"
 #include "model/machine/stuck_rays.hpp"
 #include "model/trace/on_demand.hpp"
-#include "sim/files/process/stopping.hpp"
 #include "sim/files/process/parallel.hpp"
+#include "sim/files/process/stopping.hpp"
 
 namespace rayclock::sample {
 

@@ -11,11 +11,11 @@
 #include <fmt/ranges.h>
 #include <glm/geometric.hpp>
 
-#include "model/compile/frame.hpp"
-#include "model/compile/lattice.hpp"
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/rng.hpp"
+#include "model/compile/frame.hpp"
+#include "model/compile/lattice.hpp"
 #include "model/layout/memory_image.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "sim/files/npy.hpp"

@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "sim/files/process/parallel.hpp"
 #include "sim/run/frame/frame.hpp"
 #include "sim/run/gen/rc_pkg.hpp"
 #include "sim/silicon/synth/yosys.hpp"
-#include "sim/files/process/parallel.hpp"
 
 namespace rayclock::area {
 

@@ -3,9 +3,9 @@
 #include <map>
 
 #include "model/base/progress.hpp"
+#include "sim/files/cache/results.hpp"
 #include "sim/silicon/area/variants.hpp"
 #include "sim/silicon/synth/parts.hpp"
-#include "sim/files/cache/results.hpp"
 
 namespace rayclock::area {
 

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "sim/files/table.hpp"
 #include "sim/silicon/area/variants.hpp"
 #include "sim/silicon/chip/cells.hpp"
 #include "sim/silicon/chip/nextpnr.hpp"
-#include "sim/files/table.hpp"
 #include "sim/silicon/synth/yosys.hpp"
 
 namespace rayclock::chip {

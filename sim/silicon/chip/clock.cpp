@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
-#include "sim/run/gen/rc_pkg.hpp"
 #include "sim/files/cache/libraries.hpp"
+#include "sim/run/gen/rc_pkg.hpp"
 #include "sim/silicon/synth/yosys.hpp"
 
 namespace rayclock::chip {

@@ -6,8 +6,8 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
-#include "sim/silicon/area/variants.hpp"
 #include "sim/files/table.hpp"
+#include "sim/silicon/area/variants.hpp"
 
 namespace rayclock::chip {
 

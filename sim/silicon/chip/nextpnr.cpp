@@ -14,11 +14,11 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/split.hpp"
-#include "sim/silicon/chip/board.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/process/interrupt.hpp"
 #include "sim/files/process/process.hpp"
 #include "sim/run/rtl/sources.hpp"
+#include "sim/silicon/chip/board.hpp"
 
 namespace rayclock::chip {
 

@@ -9,12 +9,12 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
-#include "sim/silicon/chip/board.hpp"
-#include "sim/silicon/chip/cells.hpp"
-#include "sim/silicon/chip/timing.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/json_form.hpp"
 #include "sim/run/rtl/sources.hpp"
+#include "sim/silicon/chip/board.hpp"
+#include "sim/silicon/chip/cells.hpp"
+#include "sim/silicon/chip/timing.hpp"
 
 namespace rayclock::chip {
 

@@ -7,10 +7,10 @@
 
 #include "model/base/progress.hpp"
 #include "model/core/config.hpp"
+#include "sim/files/cache/results.hpp"
 #include "sim/silicon/chip/board.hpp"
 #include "sim/silicon/chip/nextpnr.hpp"
 #include "sim/silicon/chip/route.hpp"
-#include "sim/files/cache/results.hpp"
 
 namespace rayclock::chip {
 

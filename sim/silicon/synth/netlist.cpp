@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "sim/files/cache/results.hpp"
 #include "sim/run/frame/frame.hpp"
 #include "sim/run/gen/rc_pkg.hpp"
 #include "sim/run/rtl/builder.hpp"
 #include "sim/silicon/synth/stat.hpp"
 #include "sim/silicon/synth/yosys.hpp"
-#include "sim/files/cache/results.hpp"
 
 namespace rayclock::synth {
 

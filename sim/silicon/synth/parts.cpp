@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "sim/files/cache/results.hpp"
 #include "sim/files/json_form.hpp"
 #include "sim/run/gen/ecp5.hpp"
 #include "sim/silicon/synth/yosys.hpp"
-#include "sim/files/cache/results.hpp"
 
 namespace rayclock::synth {
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "model/base/stopwatch.hpp"
-#include "sim/judge/reference/whitted.hpp"
 #include "model/scene/builtin.hpp"
+#include "sim/judge/reference/whitted.hpp"
 #include "sim/study/figures/figures_page.hpp"
 #include "sim/view/report/accounts.hpp"
 #include "sim/view/report/text.hpp"

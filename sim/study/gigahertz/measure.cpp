@@ -3,10 +3,10 @@
 
 #include <mutex>
 
+#include "model/base/error.hpp"
+#include "model/base/interrupted.hpp"
 #include "model/compile/surfaces.hpp"
 #include "model/engine/check.hpp"
-#include "model/base/interrupted.hpp"
-#include "model/base/error.hpp"
 #include "sim/files/process/parallel.hpp"
 #include "sim/load/load.hpp"
 #include "sim/run/request/request.hpp"

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "model/base/quote.hpp"
-#include "sim/view/report/text.hpp"
 #include "sim/explore/sweep/front.hpp"
 #include "sim/silicon/synth/yosys.hpp"
+#include "sim/view/report/text.hpp"
 
 namespace rayclock::structures {
 

@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include "model/machine/links.hpp"
-#include "sim/files/table.hpp"
 #include "sim/files/image/image.hpp"
-#include "sim/view/report/accounts.hpp"
+#include "sim/files/table.hpp"
 #include "sim/view/page/data.hpp"
 #include "sim/view/page/frame.hpp"
 #include "sim/view/page/html.hpp"
 #include "sim/view/page/tables.hpp"
+#include "sim/view/report/accounts.hpp"
 
 namespace rayclock {
 
