@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "sim/judge/oracle/extra_visits.hpp"
 #include "model/compile/compile.hpp"
 #include "model/compile/frame.hpp"
 #include "model/scene/builtin.hpp"
+#include "sim/judge/oracle/extra_visits.hpp"
 #include "sim/view/report/text.hpp"
 
 using namespace rayclock;

@@ -12,10 +12,10 @@
 #include <fmt/format.h>
 
 #include "model/unit/isect/origin.hpp"
-#include "sim/view/report/text.hpp"
 #include "sim/explore/stress/shadow_scenes.hpp"
 #include "sim/explore/stress/shadows.hpp"
-#include "sim/files/process/threads.hpp"
+#include "sim/files/process/parallel.hpp"
+#include "sim/view/report/text.hpp"
 
 using namespace rayclock;
 
@@ -33,7 +33,7 @@ using Counts = std::vector<std::vector<std::array<ShadowCounts, bits.size()>>>;
 Counts count_all(std::uint64_t rays) {
     const auto& scenes = shadow_scenes();
     Counts counts(schemes.size(), std::vector<std::array<ShadowCounts, bits.size()>>(scenes.size()));
-    jobs::for_each(scenes.size() * bits.size(), 0, [&](std::size_t job) {
+    parallel::for_each(scenes.size() * bits.size(), 0, [&](std::size_t job) {
         const std::size_t scene = job / bits.size(), width = job % bits.size();
         const Shadows world(scenes[scene].make(bits[width]), bits[width]);
         for (std::size_t s = 0; s < schemes.size(); ++s)

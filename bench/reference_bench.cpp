@@ -9,8 +9,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "sim/judge/reference/reference.hpp"
 #include "model/scene/builtin.hpp"
+#include "sim/judge/reference/reference.hpp"
 #include "tests/reference/embree_scene.hpp"
 
 namespace {

@@ -6,14 +6,14 @@
 #include <numbers>
 
 #include <fmt/format.h>
-#include <glm/vec3.hpp>
 #include <tbb/global_control.h>
+#include <glm/vec3.hpp>
 
-#include "model/compile/refit/refit.hpp"
-#include "model/compile/surfaces.hpp"
+#include "model/base/stopwatch.hpp"
 #include "model/compile/frame.hpp"
 #include "model/compile/lattice.hpp"
-#include "model/base/stopwatch.hpp"
+#include "model/compile/refit/refit.hpp"
+#include "model/compile/surfaces.hpp"
 #include "model/trace/record.hpp"
 #include "model/trace/trace.hpp"
 
@@ -77,7 +77,7 @@ void times(const Config& config) {
         const Scene rest = tube(n, 0);
         const Lattice lattice = lattice_of(rest, config);
         const std::vector<PrimData> before = prims_of(rest, lattice), after = prims_of(tube(n, 9), lattice);
-        std::vector<std::uint32_t> words(16 * Refit::most_lines(before.size()));
+        std::vector<std::uint32_t> words(16 * Refit::max_lines(before.size()));
         double least[2] = {1e9, 1e9};
         for (int run = 0; run < (n < 200 ? 9 : 3); ++run)
             for (const bool is_built : {true, false}) {

@@ -62,7 +62,7 @@ glm::dvec3 vector_of(const Vector& v) { return {v[0], v[1], v[2]}; }
 /// Returns the numbers of all rays, row by row, in the columns of RayTable, which checks them.
 std::vector<double> rows_of(std::span<const Ray> rays) {
     std::vector<double> rows;
-    rows.reserve(rays.size() * RayTable::most_columns);
+    rows.reserve(rays.size() * RayTable::max_columns);
     for (const Ray& ray : rays) {
         rows.insert(rows.end(), ray.origin.begin(), ray.origin.end());
         rows.insert(rows.end(), ray.direction.begin(), ray.direction.end());
@@ -72,7 +72,7 @@ std::vector<double> rows_of(std::span<const Ray> rays) {
 }
 
 StreamInput input_of(const rayclock::Scene& scene, const std::vector<double>& rows) {
-    const RayTable::Shape shape{rows.size() / RayTable::most_columns, RayTable::most_columns, sizeof(double)};
+    const RayTable::Shape shape{rows.size() / RayTable::max_columns, RayTable::max_columns, sizeof(double)};
     return {scene, std::make_unique<const RayTable>("rays", rows.data(), shape), Outside::clip};
 }
 

@@ -42,9 +42,9 @@ template <class Words> std::string did_you_mean(std::string_view word, const Wor
         }
     }
     if (!best.empty()) return "; did you mean " + shown(best) + "?";
-    constexpr std::size_t most_listed = 10;
+    constexpr std::size_t max_listed = 10;
     std::string all;
-    if (std::size(known) <= most_listed)
+    if (std::size(known) <= max_listed)
         for (const std::string_view candidate : known)
             all += (all.empty() ? "; there are " : ", ") + shown(candidate);
     return all;

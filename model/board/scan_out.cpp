@@ -31,7 +31,7 @@ void ScanOut::clock(const Inputs& in) {
     const bool line_done = in.beat && beat_ == beats_of_line - 1;
 
     // Stages of a pixel.
-    underruns_ = std::min(underruns_ + s3_late_, most_underruns);
+    underruns_ = std::min(underruns_ + s3_late_, max_underruns);
     const bool there = s2_.row < arrived_row_ || (s2_.row == arrived_row_ && s2_.block < arrived_);
     s3_late_ = s2_.valid && !there;
     s2_ = s1_;

@@ -87,7 +87,7 @@ public:
     void skip(std::uint64_t cycles);
 
 private:
-    static constexpr std::uint32_t beats_of_line = 32, most_underruns = 0xffff, opens_nothing = 0xff;
+    static constexpr std::uint32_t beats_of_line = 32, max_underruns = 0xffff, opens_nothing = 0xff;
     static constexpr std::uint32_t near = 100;   ///< pixel clocks from nears() to takes()
 
     /// A pixel of the picture on its way from the beam to the row buffers.

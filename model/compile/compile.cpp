@@ -6,22 +6,22 @@
 #include <cmath>
 #include <mutex>
 
-#include <glm/geometric.hpp>
 #include <tbb/parallel_for.h>
+#include <glm/geometric.hpp>
 
-#include "model/engine/engines.hpp"
-#include "model/compile/emit.hpp"
-#include "model/compile/levels/levels.hpp"
-#include "model/compile/plane.hpp"
-#include "model/engine/bvh/splits.hpp"
-#include "model/engine/bvh/build.hpp"
-#include "model/compile/surfaces.hpp"
-#include "model/compile/textures.hpp"
-#include "model/compile/lattice.hpp"
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
-#include "model/unit/isect/vectors.hpp"
+#include "model/compile/emit.hpp"
+#include "model/compile/lattice.hpp"
+#include "model/compile/levels/levels.hpp"
+#include "model/compile/plane.hpp"
+#include "model/compile/surfaces.hpp"
+#include "model/compile/textures.hpp"
 #include "model/core/parameters.hpp"
+#include "model/engine/bvh/build.hpp"
+#include "model/engine/bvh/splits.hpp"
+#include "model/engine/engines.hpp"
+#include "model/unit/isect/vectors.hpp"
 
 namespace rayclock {
 

@@ -1,12 +1,12 @@
 // Writes trees of boxes and globes as memory lines.
 #include "model/compile/emit.hpp"
 
+#include "model/base/error.hpp"
 #include "model/engine/bvh/encode.hpp"
-#include "model/layout/words.hpp"
 #include "model/engine/spheres/around.hpp"
 #include "model/engine/spheres/encode.hpp"
 #include "model/layout/node_statistics.hpp"
-#include "model/base/error.hpp"
+#include "model/layout/words.hpp"
 
 namespace rayclock {
 

@@ -1,8 +1,8 @@
 // Layout: cells of space as memory lines, node by node.
 #include "model/compile/emit.hpp"
-#include "model/layout/words.hpp"
 #include "model/engine/engines.hpp"
 #include "model/layout/node_statistics.hpp"
+#include "model/layout/words.hpp"
 
 namespace rayclock {
 

@@ -10,9 +10,9 @@
 // in a picture two pixels wide a step can be twice the largest direction. A step that no pixel takes is zero.
 //
 // Proof that no direction is short. In the middle of a wide picture a direction is much shorter than in the
-// corners. raygen shifts it up, by at most most_shift bits. All directions end in one plane, n . v = n .
+// corners. raygen shifts it up, by at most max_shift bits. All directions end in one plane, n . v = n .
 // corner with n = right x down, and there |n . v| <= |n|_1 max |v_k|. So no direction's largest component is
-// below l = |n . corner| / |n|_1. If scale * l - (w + h - 1) / 2 - 1 >= 2^(M-2+G-most_shift), then max
+// below l = |n . corner| / |n|_1. If scale * l - (w + h - 1) / 2 - 1 >= 2^(M-2+G-max_shift), then max
 // |d_k| >= 2^(M-2) in every pixel. A camera that violates this is refused: 175 degrees in a picture 800 times
 // as wide as high.
 //
@@ -82,7 +82,7 @@ Frame make_frame(const Camera& camera, FrameSize size, const Lattice& lattice, c
 
     const double limit = double(((std::int64_t(1) << (config.dir_bits - 1)) - 1) << guard_bits);
     const double off = 0.5 * (size.width + size.height - 1) + around + 1, scale = (limit - off) / m;
-    if (!(scale * least - off >= std::ldexp(1.0, config.dir_bits - 2 + guard_bits - most_shift)))
+    if (!(scale * least - off >= std::ldexp(1.0, config.dir_bits - 2 + guard_bits - max_shift)))
         refuse_width(camera, size, config);
     Frame frame;
     frame.width = std::uint32_t(size.width);

@@ -25,7 +25,7 @@ namespace rayclock {
 
 namespace {
 
-constexpr double most_ratio = 2;
+constexpr double max_ratio = 2;
 
 /// Returns a pitch, at least as large, that divides the first plane's sides on the lattice.
 double with_planes(const Scene& scene, Lattice lattice, double pitch) {
@@ -64,7 +64,7 @@ Lattice fit_lattice(const Scene& scene, const glm::dvec3& eye, int coord_bits, b
         lattice.centre = middle;
         coarsest = with_planes(scene, lattice, room * coarsest);
     }
-    const double finest = cubic ? coarsest : coarsest / most_ratio;
+    const double finest = cubic ? coarsest : coarsest / max_ratio;
     for (int k = 0; k < 3; ++k) {
         // If everything lies in one point, any pitch will do. Extents at the bottom of the format must not
         // give a pitch of zero.

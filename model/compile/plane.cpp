@@ -11,8 +11,8 @@ namespace rayclock {
 
 namespace {
 
-constexpr double longest_side = 1.0 / 16;     // as a share of the lattice's reach
-constexpr int most_level = corner_bits - 1;   // a phase counts sides of two squares
+constexpr double longest_side = 1.0 / 16;    // as a share of the lattice's reach
+constexpr int max_level = corner_bits - 1;   // a phase counts sides of two squares
 
 /// Returns how often a square's side is halved; negative if it is doubled.
 int level_of(double side, double reach) { return int(std::ceil(std::log2(side / (longest_side * reach)))); }
@@ -61,7 +61,7 @@ std::optional<CornerCoordinates> plane_coordinates(const Plane& plane, const Pla
     corners[1] = corners[0] + step[0], corners[2] = corners[0] + step[1];
     corners = near_zero(texture, corners);
     for (const glm::dvec2& corner : corners)
-        if (!(std::abs(corner.x) <= most_coordinate && std::abs(corner.y) <= most_coordinate))
+        if (!(std::abs(corner.x) <= max_coordinate && std::abs(corner.y) <= max_coordinate))
             return std::nullopt;
     return corners;
 }
@@ -81,13 +81,13 @@ void set_checkers(const PlaneOnLattice& plane, const Config& config, Surface& su
         if (bit < 0) {   // squares finer than u and v
             for (std::size_t k = 0; k < 3; ++k)
                 surface.colour[k] = surface.other[k] = (surface.colour[k] + surface.other[k]) >> 1;
-        } else if (level > most_level) {   // one square around a covers the whole range
+        } else if (level > max_level) {   // one square around a covers the whole range
             if (std::fmod(std::floor(std::ldexp(plane.at[i], -level)), 2) != 0)
                 std::swap(surface.colour, surface.other);
             surface.normal[2 + i] = -1;
         } else {
             const auto phase = std::int32_t(phase_of(plane.at[i], level));
-            surface.normal[i] = phase < 1 << most_level ? phase : phase - (2 << most_level);
+            surface.normal[i] = phase < 1 << max_level ? phase : phase - (2 << max_level);
             surface.normal[2 + i] = bit;
         }
     }

@@ -2,8 +2,8 @@
 // An infinite plane on the lattice.
 #include <optional>
 
-#include "model/scene/scene.hpp"
 #include "model/layout/memory_image.hpp"
+#include "model/scene/scene.hpp"
 
 namespace rayclock {
 
@@ -20,7 +20,7 @@ struct PlaneOnLattice {
 PlaneOnLattice plane_on_lattice(const Plane& plane, const Lattice& lattice);
 
 /// Returns the coordinates of a texture at the corners a, b and c of a plane on the lattice, shifted by whole
-/// periods as for triangles (near_zero()). Returns nothing if one of them exceeds most_coordinate. The
+/// periods as for triangles (near_zero()). Returns nothing if one of them exceeds max_coordinate. The
 /// corners then span about 126 pictures or more, or the texture clamps and its picture lies far from a.
 std::optional<CornerCoordinates> plane_coordinates(const Plane& plane, const PlaneOnLattice& on,
                                                    const Texture& texture);
@@ -37,8 +37,8 @@ void set_checkers(const PlaneOnLattice& plane, const Config& config, Surface& su
 
 /// Returns the ratio of the lattice's size to that of the bounded primitives, in a scene with planes. It
 /// leaves room for the steps of Config::approach_shift(). Where one of several planes transmits or mirrors,
-/// rays continue from it to the others, beyond the range of a point (ShadeState::lost). The lattice is then
-/// horizon_room times as large.
+/// rays continue from it to the others, beyond the range of a point (ShadeState::is_lost). The lattice is
+/// then horizon_room times as large.
 double room_around_planes(const Scene& scene, const Config& config);
 constexpr double horizon_room = 4;
 

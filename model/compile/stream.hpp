@@ -11,10 +11,10 @@ namespace rayclock {
 
 /// A ray in scene units: the points origin + t * direction with t_min <= t <= t_max.
 struct StreamRay {
-    /// Each coordinate of the origin is at most most_size. The direction's largest component lies in
-    /// least_size ... most_size.
+    /// Each coordinate of the origin is at most max_size. The direction's largest component lies in
+    /// least_size ... max_size.
     glm::dvec3 origin{0}, direction{0};
-    static constexpr double least_size = 0x1p-500, most_size = 0x1p500;
+    static constexpr double least_size = 0x1p-500, max_size = 0x1p500;
     double t_min = 0, t_max = std::numeric_limits<double>::infinity();
     bool any_hit = false;   ///< requests any hit, not the closest
 };

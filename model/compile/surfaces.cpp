@@ -6,15 +6,15 @@
 #include <cmath>
 #include <set>
 
-#include <glm/geometric.hpp>
 #include <tbb/parallel_for.h>
+#include <glm/geometric.hpp>
 
-#include "model/compile/emit.hpp"
-#include "model/compile/textures.hpp"
-#include "model/layout/words.hpp"
-#include "model/compile/plane.hpp"
 #include "model/base/error.hpp"
+#include "model/compile/emit.hpp"
+#include "model/compile/plane.hpp"
+#include "model/compile/textures.hpp"
 #include "model/core/settled.hpp"
+#include "model/layout/words.hpp"
 #include "model/unit/isect/edges.hpp"
 
 namespace rayclock {
@@ -77,9 +77,9 @@ void set_normals(const Scene& scene, std::size_t i, Surface& s) {
     s.smooth = 1;
 }
 
-/// Returns the number of low zero bits common to all components of a triangle's edges, at most most_fine.
+/// Returns the number of low zero bits common to all components of a triangle's edges, at most max_fine.
 std::uint32_t fine_of(const PrimData& t, const Config& config) {
-    std::uint32_t bits = 1u << std::clamp(config.bary_bits - config.origin_bits, 0, most_fine);
+    std::uint32_t bits = 1u << std::clamp(config.bary_bits - config.origin_bits, 0, max_fine);
     for (std::size_t k = 0; k < 3; ++k)
         bits |= std::uint32_t(t.b[k] - t.a[k]) | std::uint32_t(t.c[k] - t.a[k]);
     return std::uint32_t(std::countr_zero(bits));
@@ -88,13 +88,13 @@ std::uint32_t fine_of(const PrimData& t, const Config& config) {
 /// Returns for each vertex the number of low bits to clear: 2^bits is at most 2^-13 of the shortest edge of
 /// all triangles of the vertex.
 std::vector<std::uint8_t> coarseness(const Scene& scene, const Lattice& lattice) {
-    std::vector<std::uint8_t> coarse(scene.vertices.size(), most_fine);
+    std::vector<std::uint8_t> coarse(scene.vertices.size(), max_fine);
     std::vector<bool> used(scene.vertices.size());
     for (const Triangle& t : scene.triangles)
         for (std::size_t i = 0; i < 3; ++i) {
             const std::uint32_t from = t.vertex[i], to = t.vertex[(i + 1) % 3];
             const double steps = glm::length((scene.vertices[to] - scene.vertices[from]) / lattice.pitch);
-            const auto bits = std::uint8_t(std::clamp(steps >= 1 ? std::ilogb(steps) - 13 : 0, 0, most_fine));
+            const auto bits = std::uint8_t(std::clamp(steps >= 1 ? std::ilogb(steps) - 13 : 0, 0, max_fine));
             for (const std::uint32_t v : t.vertex) coarse[v] = std::min(coarse[v], bits), used[v] = true;
         }
     for (std::size_t v = 0; v < coarse.size(); ++v)

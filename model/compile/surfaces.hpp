@@ -10,7 +10,7 @@
 namespace rayclock {
 
 /// Returns the scene with the corners of its large triangles moved slightly. They move to lattice points
-/// whose coordinates differ by multiples of up to 2^most_fine. On each axis a corner moves by at most 2^-14
+/// whose coordinates differ by multiples of up to 2^max_fine. On each axis a corner moves by at most 2^-14
 /// of the shortest edge of its triangles, and by at most 2^-13 at the end of the lattice. Secondary rays from
 /// such triangles then begin closer to the hit point. The result is empty if there are no large triangles.
 std::optional<Scene> align_large_triangles(const Scene& scene, const Lattice& lattice);

@@ -6,8 +6,8 @@
 #include <limits>
 #include <optional>
 
-#include <glm/matrix.hpp>
 #include <tbb/parallel_for.h>
+#include <glm/matrix.hpp>
 
 #include "model/compile/emit.hpp"
 #include "model/compile/plane.hpp"

@@ -10,15 +10,15 @@
 namespace rayclock {
 
 // A counter's address has four bits for the pipeline. The last value means the shared units.
-constexpr int most_rtl_pipelines = 8;
+constexpr int max_rtl_pipelines = 8;
 
 void check_rtl(const Config& c) {
     if (c.test() != PrimitiveTest::exact && c.test() != PrimitiveTest::sheared)
         throw UserError("primitive_test=" + name_of(c.primitive_test) +
                         " exists in software only; the RTL has exact and sheared");
-    if (c.pipelines > most_rtl_pipelines)
+    if (c.pipelines > max_rtl_pipelines)
         throw UserError("pipelines=" + std::to_string(c.pipelines) +
-                        " exists in the model only; the RTL has up to " + std::to_string(most_rtl_pipelines) +
+                        " exists in the model only; the RTL has up to " + std::to_string(max_rtl_pipelines) +
                         ", since registers number no more counters");
 }
 
@@ -93,9 +93,9 @@ void check_parameters(const Config& c, const std::string& where) {
             refuse(std::string(key) + "=1 needs source=camera: a chip for ray streams has no unit shade");
     if (c.is_stream() && c.scan_out)
         refuse("scan_out=1 needs source=camera: a stream of rays draws no picture");
-    constexpr int most_hit_bits = 128;
+    constexpr int max_hit_bits = 128;
     if (const int bits = 2 + c.prim_bits + c.t_bits() + 2 * c.uv_bits() + (c.has_homes() ? c.addr_bits : 0);
-        c.is_stream() && c.pixel_writes && bits > most_hit_bits)
+        c.is_stream() && c.pixel_writes && bits > max_hit_bits)
         refuse("pixel_writes=1 writes hits of 128 bits, and a hit of this chip has " + std::to_string(bits));
     if (c.is_board() && (c.pipelines > 1 || c.dram_channels > 1))
         refuse("dram=board needs pipelines=1 and dram_channels=1");

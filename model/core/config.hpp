@@ -13,7 +13,7 @@ namespace rayclock {
 struct DramPart;
 
 constexpr int guard_bits = 14;        ///< fraction bits of the camera's pixel steps; one rounding drops them
-constexpr int most_shift = 15;        ///< most bits by which a short camera direction is shifted up
+constexpr int max_shift = 15;         ///< most bits by which a short camera direction is shifted up
 constexpr int max_addr_bits = 24;     ///< maximum of Config::addr_bits
 constexpr int max_pixel_bits = 14;    ///< maximum of Config::pixel_bits
 constexpr int exp_bits = 5;           ///< box exponent, and bit length of a direction component
@@ -47,8 +47,8 @@ constexpr int plane_bits = 12;   ///< whole bits of a plane's u and v
 constexpr int far_path_bits = light_reach - 2;
 /// Steps in which a distant ray finds the lattice: model/unit/shade/approach.hpp.
 constexpr int approach_steps = 12;
-constexpr int max_lights = 64;        ///< maximum of Config::lights
-constexpr int most_fine = 4;          ///< maximum of Surface::fine
+constexpr int max_lights = 64;        ///< maximum of Config::lights, and of a scene's lights
+constexpr int max_fine = 4;           ///< maximum of Surface::fine
 constexpr int sample_bits = 6;        ///< a pixel's sample, 0..63
 constexpr int sub_pixel_bits = 8;     ///< fraction bits of a sample's place
 constexpr int depth_bits = 4;         ///< bounces of a camera ray, 0..15
@@ -56,7 +56,7 @@ constexpr int coordinate_frac = 20;   ///< fraction bits of a texture coordinate
 constexpr int coordinate_bits = 28;
 constexpr int texel_frac = 8;   ///< fraction bits of a texture coordinate in texels
 constexpr int side_bits = 4;    ///< logarithm of a texture's side, 0..12
-constexpr int most_side_log = 12;
+constexpr int max_side_log = 12;
 constexpr int level_frac = 6;     ///< fraction bits of a texture's level and of logarithms of lengths
 constexpr int level_bits = 14;    ///< such a logarithm, signed
 constexpr int hole_bits = 6;      ///< counter of the holes that a ray has passed since its last bounce
@@ -66,8 +66,8 @@ constexpr int power_stages = 7;   ///< latency of rc_power.sv
 
 /// Bits that a point of a plane beyond the lattice loses as a ray's origin: O' in docs/proofs/origins.md.
 constexpr int far_drop = light_reach + 1;
-constexpr int most_dram_channels = 4;   ///< maximum of Config::dram_channels
-constexpr int max_panes = 4;            ///< maximum of Config::panes
+constexpr int max_dram_channels = 4;   ///< maximum of Config::dram_channels
+constexpr int max_panes = 4;           ///< maximum of Config::panes
 
 /// Format and shape of one machine: everything that synthesis fixes. One C++ binary serves all machines; the
 /// RTL gets the same values as constants of rc_pkg.sv.

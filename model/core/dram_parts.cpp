@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "model/core/config.hpp"
 #include "model/base/nearest.hpp"
+#include "model/core/config.hpp"
 #include "model/core/dram_presets.hpp"
 
 namespace rayclock {

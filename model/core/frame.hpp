@@ -82,12 +82,12 @@ struct ShadeFrame {
 /// px = x, py = y. With it f = 8 and px = 256 x + offset (sample_offset()). With g = guard_bits + f and
 /// M = dir_bits:
 /// - V_k = 2^f corner_k + px right_k + py down_k on every axis k. The host keeps it to M + g bits, signed.
-/// - s is the largest of 0..most_shift with -2^(M-1+g) <= 2^s V_k < 2^(M-1+g) on all three axes.
+/// - s is the largest of 0..max_shift with -2^(M-1+g) <= 2^s V_k < 2^(M-1+g) on all three axes.
 /// - d_k = min(floor((2^s V_k + 2^(g-1)) / 2^g), 2^(M-1) - 1). This rounds to nearest, halves up; 2^(M-1)
 ///   does not fit into M bits.
 ///
 /// So d is an integer direction with all the bits that M allows. It is only longer by a power of two than
-/// without s. The host also keeps max |V_k| >= 2^(M-2+g-most_shift) at every point, so max |d_k| >= 2^(M-2).
+/// without s. The host also keeps max |V_k| >= 2^(M-2+g-max_shift) at every point, so max |d_k| >= 2^(M-2).
 /// So t of a hit inside the lattice never saturates. On the axis of the largest component the ray advances by
 /// |d_k| num / den <= 2^N - 1 lattice steps, so t <= ceil(2^(M-1+F) (2^N - 1) / 2^(M-2)) < 2^(N+1+F), half of
 /// the range of t.

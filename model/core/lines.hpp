@@ -22,9 +22,9 @@ struct Placement {
     std::uint32_t first = 0;                ///< number of its first primitive
     std::uint32_t root = 0;                 ///< line of the root of its lower structure
     std::uint32_t here = 0;                 ///< its own line, which identifies it if the chip shades
-    std::uint32_t first_surface_line = 0;   ///< line that the surface of primitive 0 would have; it may wrap
+    std::uint32_t first_surface_line = 0;   ///< field `surfaces`: where primitive 0's would be; it may wrap
     std::uint32_t material = 0;   ///< line of a surface whose material all its primitives take; 0: none
-    std::uint32_t same = 0;       ///< 1: A = 1 and b = 0, so a ray is the same in its mesh and in the scene
+    std::uint32_t is_same = 0;    ///< 1: A = 1 and b = 0, so a ray is the same in its mesh and in the scene
     /// With textures: log2 of the number of mesh steps in a scene step, |det A|^(1/3); level_frac fraction
     /// bits.
     std::int32_t texel_scale = 0;
@@ -36,14 +36,14 @@ struct Placement {
         if (c.shading) v("here", here, c.addr_bits);
         if (c.shading) v("surfaces", first_surface_line, c.addr_bits);
         if (c.shading) v("material", material, c.addr_bits);
-        if (c.shading) v("is_same", same, 1);
+        if (c.shading) v("is_same", is_same, 1);
         if (c.has_textures()) v("texel_scale", texel_scale, level_bits);
         v("a", a, c.map_bits(), 9);
         v("b", b, c.coord_bits + c.map_frac(), 3);
     }
     /// Returns the home of a ray that leaves this instance. It is 0, which is not an instance's line, if the
     /// ray is the same there.
-    std::uint32_t home() const { return same ? 0 : here; }
+    std::uint32_t home() const { return is_same ? 0 : here; }
     friend bool operator==(const Placement&, const Placement&) = default;
 };
 
@@ -147,7 +147,7 @@ struct Surface {
     /// For a smooth triangle: [3 * corner + axis], each normal at most 2^(corner_bits - 1) - 1 long. For a
     /// plane: normal[0] and [1] are phases, normal[2] and [3] bit numbers. Bit normal[2] of u + normal[0]
     /// 2^bary_bits selects the second square of a pair along u; bit normal[3] of v + normal[1] 2^bary_bits
-    /// does so along v. Bit -1 is 0. For a pane: normal[4] is its bit in ShadeState::cell.
+    /// does so along v. Bit -1 is 0. For a pane: normal[4] is its bit in ShadeState::in_cell.
     std::array<std::int32_t, 9> normal{};
     std::array<std::uint32_t, 3> colour{}, other{};          ///< share_bits fraction bits
     std::uint32_t ambient = 0, diffuse = 0, highlight = 0;   ///< share_bits fraction bits

@@ -1,6 +1,7 @@
 #pragma once
-// The links of a unit that decides nodes, as far as engines share them, and the resulting leaves. Nodes are
-// in model/engine/*/node.hpp. payloads.hpp explains the symbols.
+// The payloads of node units, as far as engines share them, and the resulting leaves. A node unit decides the
+// nodes of one structure (NodeUnit in model/machine/links.hpp). Nodes are in model/engine/*/node.hpp.
+// payloads.hpp explains the symbols.
 #include <array>
 #include <cstdint>
 
@@ -10,7 +11,7 @@
 
 namespace rayclock {
 
-/// From trav to a unit that decides nodes: the ray in the form of the slab test, and the node from memory.
+/// trav -> a node unit: the ray in the form of the slab test, and the node from memory.
 template <class Node> struct BoxRayReq {
     std::uint32_t ray = 0;
     Vec3i o{};   ///< with B fraction bits if the chip shades
@@ -26,10 +27,10 @@ template <class Node> struct BoxRayReq {
     }
 };
 
-/// From the unit that decides nodes to trav: the children that the ray's line meets in front of its origin.
+/// A node unit -> trav: the children that the ray's line meets in front of its origin.
 /// Inner children come first, then leaves, each sorted by (t_near, offset). Entries beyond are zero. `count`
 /// is 0 for inner children.
-struct BoxRsp {
+struct NodeAnswer {
     std::uint32_t ray = 0;
     std::uint32_t base = 0;
     std::uint32_t inner = 0, leaves = 0;             ///< number of each

@@ -102,7 +102,7 @@ POWER(l2_mshrs, rtl, 16, 1, 64, "lines", l2, "shared cache: misses in flight")
 
 GROUP(memory, "Memory outside the chip")
 CHOICE(dram, host, DramName, ddr3, always, "memory, or the path of a JSON file that describes one")
-NUMBER(dram_channels, host, 1, 1, most_dram_channels, "channels", dram, "channels that serve neighbouring addresses in turn")
+NUMBER(dram_channels, host, 1, 1, max_dram_channels, "channels", dram, "channels that serve neighbouring addresses in turn")
 NUMBER(mem_latency, host, 8, 1, 10000, "cycles", ideal, "ideal memory: from a request to its answer")
 NUMBER(mem_interval, host, 1, 1, 1000, "cycles", ideal, "ideal memory: between two requests")
 FLAG(scan_out, host, always, "1: a screen of 640x480 pixels is read 60 times a second")

@@ -1,7 +1,9 @@
 #pragma once
 // Every payload of the machine, described once: its C++ members and their widths. rc_pkg.sv comes from these
-// descriptions. memory_payloads.hpp has the payloads of links to memory, node_payloads.hpp those of the units
-// that decide nodes.
+// descriptions. A field has the name of its member, in the RTL and in messages. If a payload contains another
+// one, the RTL's names have a prefix: home_o is home.o, best_num is best.num, prim_kind is triangle.kind.
+// memory_payloads.hpp has the payloads of links to memory, node_payloads.hpp those of node
+// units.
 //
 // Symbols: N coord_bits, M dir_bits, F t_frac_bits, R recip_bits, W node_width (core/config.hpp). A distance
 // t is in units of 2^-F lattice steps along a direction of length 2^(M-1): t = 2^(M-1+F) * (point - o) / d.
@@ -62,12 +64,10 @@ struct Spawn {
     std::uint32_t ray = 0;
     std::uint32_t kind = 0;   ///< RayKind
     std::uint32_t x = 0, y = 0, sample = 0;
-    std::uint32_t partial = 0;            ///< as in Ray
-    std::uint32_t self = 0, inside = 0;   ///< as in Ray
-    std::uint32_t holes = 0;              ///< as in Ray
-    Vec3i o{};                            ///< N + B bits, B of them fraction
-    Vec3i d{};                            ///< N + B + 1 bits
-    Home home;                            ///< as in Ray
+    std::uint32_t is_partial = 0, self = 0, is_inside = 0, holes = 0;   ///< as in Ray
+    Vec3i o{};                                                          ///< N + B bits, B of them fraction
+    Vec3i d{};                                                          ///< N + B + 1 bits
+    Home home;                                                          ///< as in Ray
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         v("kind", kind, 2);
@@ -75,9 +75,9 @@ struct Spawn {
         v("y", y, c.pixel_bits);
         v("sample", sample, sample_bits);
         if (c.has_textures()) v("holes", holes, hole_bits);
-        if (c.planes) v("is_partial", partial, 1);
+        if (c.planes) v("is_partial", is_partial, 1);
         if (c.spheres) v("self", self, c.prim_bits);
-        if (c.spheres) v("is_inside", inside, 1);
+        if (c.spheres) v("is_inside", is_inside, 1);
         home.fields(v, c);
         v("o", o, c.origin_width(), 3);
         v("d", d, c.ray_dir_bits(), 3);
@@ -115,12 +115,11 @@ struct Ray {
     std::array<std::uint32_t, 3> len{};     ///< 0..M
     Shear shear;                            ///< with the sheared test
     std::uint32_t kind = 0;                 ///< RayKind
-    /// `self`: the primitive that a bounce leaves, or at which a shadow ray ends. `inside`: 1 if on a
-    /// sphere's inside.
-    std::uint32_t self = 0, inside = 0;
+    std::uint32_t self = 0;        ///< the primitive that a bounce leaves, or at which a shadow ray ends
+    std::uint32_t is_inside = 0;   ///< 1: on that sphere's inside
     /// 1: the ray meets only some primitives. A ray to or from a light meets those that have an end. A bounce
     /// meets planes, and begins beyond the lattice, at o 2^far_drop.
-    std::uint32_t partial = 0;
+    std::uint32_t is_partial = 0;
     /// With textures, for a ray to or from a light: the number of cut-outs in its way that are known to have
     /// a hole there. The ray ignores this many cut-outs, the first ones in the order of the tests.
     std::uint32_t holes = 0;
@@ -130,9 +129,9 @@ struct Ray {
         if (c.is_sheared()) shear.fields(v, c);
         if (c.shading) v("kind", kind, 2);
         if (c.has_textures()) v("holes", holes, hole_bits);
-        if (c.planes) v("is_partial", partial, 1);
+        if (c.planes) v("is_partial", is_partial, 1);
         if (c.spheres) v("self", self, c.prim_bits);
-        if (c.spheres) v("is_inside", inside, 1);
+        if (c.spheres) v("is_inside", is_inside, 1);
         home.fields(v, c);
         v("o", o, c.origin_width(), 3);
         v("d", d, c.ray_dir_bits(), 3);
@@ -215,15 +214,15 @@ struct TriReq {
     Vec3i o{}, d{};
     PrimData triangle;
     Best best;
-    Shear shear{};                                               ///< replaces d in the sheared test
-    std::uint32_t kind = 0, self = 0, inside = 0, partial = 0;   ///< as in Ray
+    Shear shear{};                                                     ///< replaces d in the sheared test
+    std::uint32_t kind = 0, self = 0, is_inside = 0, is_partial = 0;   ///< as in Ray
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         if (c.is_sheared()) shear.fields(v, c);
         if (c.shading) v("kind", kind, 2);
-        if (c.planes) v("is_partial", partial, 1);
+        if (c.planes) v("is_partial", is_partial, 1);
         if (c.spheres) v("self", self, c.prim_bits);
-        if (c.spheres) v("is_inside", inside, 1);
+        if (c.spheres) v("is_inside", is_inside, 1);
         v("o", o, c.origin_width(), 3);
         if (!c.is_sheared()) v("d", d, c.ray_dir_bits(), 3);
         triangle.fields(v, c);
@@ -285,8 +284,9 @@ struct Closest {
     std::uint32_t found = 0;
     std::uint32_t prim = 0, t = 0, u = 0, v = 0;   ///< zero if not found
     std::uint32_t back = 0;                        ///< if the chip shades; as in TriRsp
-    std::uint32_t instance_line = 0;   ///< if the chip also has instances: of the instance hit; 0 in a pixel
-    std::uint32_t cutout = 0;          ///< with textures, as in TriRsp; 0 in a pixel
+    /// Field `place`, if the chip also has instances: line of the instance hit; 0 in a pixel.
+    std::uint32_t instance_line = 0;
+    std::uint32_t cutout = 0;   ///< with textures, as in TriRsp; 0 in a pixel
     template <class V> void fields(V& v_, const Config& c) {
         v_("ray", ray, c.ray_bits());
         if (c.has_homes()) v_("place", instance_line, c.addr_bits);

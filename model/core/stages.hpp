@@ -69,7 +69,7 @@ struct Stages {
     int tex_address = 0;
     int tex_filter = 0;
     // Units that keep state per ray.
-    int node_answer_delay = 0;   ///< additional stages of trav, from box's answer to its leaves
+    int node_answer_delay = 0;   ///< additional stages of trav, from a node unit's answer to its leaves
     int tri_answer_delay = 0;    ///< additional stages of list, after tri's answer
     int stack_delay = 0;         ///< additional stages of trav, from a step to its stack's decision
     int closest_delay = 0;       ///< additional stages of shade, from a ray's answer to its request

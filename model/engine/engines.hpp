@@ -5,7 +5,7 @@
 // A descriptor has
 // - structure: the value of the parameter that selects the engine;
 // - Node: its line in memory, and node_name, the line's name in rc_pkg.sv and in tables;
-// - Request: what trav sends to the unit that decides nodes. All these units answer with a BoxRsp;
+// - Request: what trav sends to the node unit. All node units answer with a NodeAnswer;
 // - RayForm, form(): a ray in the form in which the unit takes it, from the ray and from its box form;
 // - Wide, Reader: a node in the model's own form, and the function that reads it from a line;
 // - latency(): of the unit in cycles, without its result queue;
@@ -28,7 +28,7 @@
 
 namespace rayclock {
 
-// Columns: the structure, the unit that decides its nodes, the descriptor. `with` is passed on.
+// Columns: the structure, its node unit, the descriptor. `with` is passed on.
 #define RAYCLOCK_ENGINES(ENGINE, with)           \
     ENGINE(with, bvh, box, engine::Bvh)          \
     ENGINE(with, kd, treelet, engine::Kd)        \

@@ -1,12 +1,13 @@
-// Sorts the answer of a unit that decides nodes.
+// Sorts the answer of a node unit.
 #include "model/engine/node_answer.hpp"
 
 #include "model/unit/trav/order.hpp"
 
 namespace rayclock {
 
-BoxRsp box_answer(std::uint32_t ray, std::uint32_t hits, const std::uint32_t* t_near, const WideNode& node) {
-    BoxRsp out;
+NodeAnswer node_answer(std::uint32_t ray, std::uint32_t hits, const std::uint32_t* t_near,
+                       const WideNode& node) {
+    NodeAnswer out;
     std::array<std::uint64_t, 2 * max_width> sorted;
     out.ray = ray;
     out.base = node.base;

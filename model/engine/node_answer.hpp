@@ -1,5 +1,5 @@
 #pragma once
-// The children of a node, and the answer of every unit that decides nodes.
+// The children of a node, and the answer of every node unit.
 #include "model/core/payloads.hpp"
 
 namespace rayclock {
@@ -12,10 +12,11 @@ struct alignas(32) WideNode {
     std::uint32_t base = 0;
     std::uint8_t children = 0, children_mask = 0, inner_mask = 0;
     std::array<std::uint8_t, 2 * 3 * max_width> planes{};    ///< [(3 * hi + axis) * 8 + child]
-    std::array<std::uint8_t, max_width> offset{}, count{};   ///< as in BoxRsp
+    std::array<std::uint8_t, max_width> offset{}, count{};   ///< as in NodeAnswer
 };
 
 /// Returns the answer: the children that the ray meets, inner ones first, then leaves, both nearest first.
-BoxRsp box_answer(std::uint32_t ray, std::uint32_t hits, const std::uint32_t* t_near, const WideNode& node);
+NodeAnswer node_answer(std::uint32_t ray, std::uint32_t hits, const std::uint32_t* t_near,
+                       const WideNode& node);
 
 }   // namespace rayclock

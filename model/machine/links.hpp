@@ -19,7 +19,7 @@ namespace rayclock {
 // among these the shading ones come last: the bits of lockstep's masks follow this order.
 #define RAYCLOCK_NODE_LINKS(LINK, structure, unit, Engine)                    \
     LINK(unit##_req, Engine::Request, node_cache, unit, handshake, structure) \
-    LINK(unit##_rsp, BoxRsp, unit, trav, handshake, structure)
+    LINK(unit##_rsp, NodeAnswer, unit, trav, handshake, structure)
 #define RAYCLOCK_LINKS(LINK)                                           \
     LINK(tile, Tile, dispatch, sched, fires, always)                   \
     LINK(slot, Slot, sched, raygen, handshake, always)                 \
@@ -92,23 +92,23 @@ using LinkPayloads = decltype(std::tuple_cat(std::tuple<>() RAYCLOCK_LINKS(RAYCL
 #undef RAYCLOCK_LINKS
 #undef RAYCLOCK_NODE_LINKS
 
-/// A unit that decides nodes, and its links.
+/// A node unit, which decides the nodes of one structure, and its links.
 struct NodeUnit {
     Unit unit;
     Link req, rsp;
 };
-/// The units that decide nodes, in the order of the engines.
+/// All node units, in the order of the engines.
 #define RAYCLOCK_NODE_UNIT(with, structure, unit, Engine) \
     NodeUnit{Unit::unit, Link::unit##_req, Link::unit##_rsp},
 constexpr std::array node_units{RAYCLOCK_ENGINES(RAYCLOCK_NODE_UNIT, )};
 #undef RAYCLOCK_NODE_UNIT
-constexpr bool decides_nodes(Unit unit) {
+constexpr bool is_node_unit(Unit unit) {
     for (const NodeUnit& u : node_units)
         if (u.unit == unit) return true;
     return false;
 }
 /// True if the unit receives what node_cache has read.
-constexpr bool takes_lines(Unit unit) { return decides_nodes(unit) || unit == Unit::xform; }
+constexpr bool takes_lines(Unit unit) { return is_node_unit(unit) || unit == Unit::xform; }
 /// True if the causes of two units have the same codes.
 constexpr bool same_causes(Unit a, Unit b) {
     for (std::size_t code = 0; code < cause_count; ++code) {
@@ -130,7 +130,7 @@ constexpr bool is_node_answer(Link link) {
         if (u.rsp == link) return true;
     return false;
 }
-/// Returns the node unit of an engine; box if there are no nodes.
+/// Returns the node unit of an engine; that of bvh if there are no nodes.
 constexpr NodeUnit node_unit(Structure engine) {
     switch (engine) {
 #define RAYCLOCK_CASE(with, structure, unit, Engine) \

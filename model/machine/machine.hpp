@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "model/machine/pipeline.hpp"
 #include "model/mem/arbiter.hpp"
 #include "model/mem/memory.hpp"
-#include "model/machine/pipeline.hpp"
 #include "model/unit/sched/dispatch.hpp"
 
 namespace rayclock {

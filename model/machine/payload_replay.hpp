@@ -4,9 +4,9 @@
 #include <unordered_map>
 
 #include "model/machine/machine.hpp"
+#include "model/trace/walk.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "model/unit/shade/shader.hpp"
-#include "model/trace/walk.hpp"
 
 namespace rayclock {
 
@@ -54,13 +54,13 @@ private:
 
 template <class See> void PayloadReplay::operator()(const Move& m, See&& see) {
     const auto emit = [&](const auto& payload) { see(m.pipeline, m.link, payload); };
-    const auto emit_request = [&]<class E>(E) {   // trav -> the unit that decides nodes
+    const auto emit_request = [&]<class E>(E) {   // trav -> the node unit
         Walk& w = walk(m);
         emit(E::request(m.id, w.form<E>(), unpack<typename E::Node>(image_.line(w.node()), config_)));
         w.test_node();
     };
     const auto answer = [&] {
-        emit(walk(m).boxes());
+        emit(walk(m).node_answer());
         bool done = false;
         if (!walk(m).has_leaves()) walk(m).decide(done);   // trav makes no request to list
     };
@@ -99,8 +99,8 @@ template <class See> void PayloadReplay::operator()(const Move& m, See&& see) {
         case Link::tri_req: {
             Walk& w = walk(m);
             const Ray& r = w.ray();
-            emit(TriReq{m.id, w.o(), w.d(), w.primitive(), w.best(), r.shear, r.kind, r.self, r.inside,
-                        r.partial});
+            emit(TriReq{m.id, w.o(), w.d(), w.primitive(), w.best(), r.shear, r.kind, r.self, r.is_inside,
+                        r.is_partial});
             w.test_triangle();
             return;
         }

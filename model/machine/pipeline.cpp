@@ -18,7 +18,7 @@ Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
       raygen_hold_(std::uint32_t(config.raygen_interval - 1)),
       trav_(config),
       node_cache_(node_cache_shape(config)),
-      box_(node_latency(config), config.box_queue),
+      node_unit_(node_latency(config), config.box_queue),
       node_answer_delay_(std::max(0, Stages(config).node_answer_delay - 1), config.contexts),
       box_hold_(std::uint32_t(config.box_interval() - 1)),
       xform_(config.xform_latency() - 1, config.contexts),
@@ -59,7 +59,7 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
                 with_shape([&]<RayFeed feed, bool levels>() { clock_trav<feed, levels>(moves_); });
                 break;
             case Unit::node_cache: clock_node_cache(moves_, shared); break;
-            case Unit::box: clock_box(moves_, now); break;
+            case Unit::box: clock_node_unit(moves_, now); break;   // whichever engine it belongs to
             case Unit::xform:
                 if (has_instances_) clock_xform(moves_, now);
                 break;
@@ -80,7 +80,7 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
             case Unit::tex:
                 if (feed_ == RayFeed::textured) clock_tex(moves_, now, shared);   // and tex_cache
                 break;
-            default: break;   // box represents all units that decide nodes
+            default: break;   // the other node units: see the case of box
         }
     account_caches();
 }
@@ -90,7 +90,7 @@ void Pipeline::clock_surf_cache(const Moves& m, const SharedMoves& shared) {
     surf_or_stream_outcome_ =
         surf_or_stream_cache_.clock(req.fires, {req.ray, surf_addr(req.ray)}, m[Link::surf_rsp].fires,
                                     shared.surf_or_stream_fill, shared.surf_or_stream_miss);
-    last_surf_or_stream_ = std::uint32_t(surf_or_stream_outcome_) | m.shade_code << 3;
+    last_surf_or_stream_ = std::uint32_t(surf_or_stream_outcome_) | m.shade_code << cause_bits;
     ++surf_or_stream_cycles_[last_surf_or_stream_];
 }
 
@@ -108,11 +108,11 @@ template <Pipeline::RayFeed feed, bool levels> Shade::Leave Pipeline::turn_of(st
     TraceCursor& cursor = rays_[ray];
     --cursor.head;
     // The first pass of a surface or cut-out has just ended; with two levels it is a surface's second pass.
-    if (feed == RayFeed::textured && (*cursor.at & Trace::texture_flag) &&
-        cursor.at[1] - cursor.head == (levels && !(*cursor.at & Trace::cutout_flag) ? 2 : 1))
+    if (feed == RayFeed::textured && EndWord{*cursor.at}.has_texture() &&
+        cursor.at[1] - cursor.head == (levels && !EndWord{*cursor.at}.is_cutout() ? 2 : 1))
         return Shade::Leave::texture;
     if (cursor.head > 0) return Shade::Leave::again;
-    if (*cursor.at & Trace::pixel_flag) return Shade::Leave::pixel;
+    if (EndWord{*cursor.at}.ends_pixel()) return Shade::Leave::pixel;
     cursor.at += 2;
     cursor.head = *cursor.at;
     return Shade::Leave::spawn;
@@ -121,31 +121,31 @@ template <Pipeline::RayFeed feed, bool levels> Shade::Leave Pipeline::turn_of(st
 void Pipeline::clock_tex(const Moves& m, std::uint64_t now, const SharedMoves& shared) {
     const LinkInside &req = m[Link::texel_req], &came = m[Link::texel_rsp];
     const bool texels = reads_texels_[came.ray];
-    const std::uint32_t line = rays_[req.ray].at[m[Link::tex_req].fires ? -2 : -1] & Trace::node_mask;
+    const std::uint32_t line = EndWord{rays_[req.ray].at[m[Link::tex_req].fires ? -2 : -1]}.line();
     tex_.clock(now, req.valid, req.fires, {came.fires && !texels, came.ray},
                {came.fires && texels, came.ray});
     if (req.fires) reads_texels_[req.ray] = !m[Link::tex_req].fires;
     tex_outcome_ = tex_cache_.clock(req.fires, {req.ray, line}, came.fires, shared.tex_fill, shared.tex_miss);
-    last_tex_ = std::uint32_t(tex_outcome_) | m.tex_code << 3;
+    last_tex_ = std::uint32_t(tex_outcome_) | m.tex_code << cause_bits;
     ++tex_cycles_[last_tex_];
 }
 
 template <Pipeline::RayFeed feed, bool levels> void Pipeline::clock_shade(const Moves& m, std::uint64_t now) {
     Shade::Wants wants = Shade::Wants::nothing;
     const LinkInside &closest = m[Link::closest], &came = m[Link::surf_rsp];
-    const auto next = [this](std::uint32_t ray) -> std::uint32_t {
+    const auto next = [this](std::uint32_t ray) -> EndWord {
         TraceCursor& cursor = rays_[ray];
         ++cursor.at;
-        if (feed == RayFeed::textured && (*cursor.at & Trace::record_flag))
+        if (feed == RayFeed::textured && EndWord{*cursor.at}.is_record())
             cursor.at += 2;   // the two words of a texture precede the surface's word
         cursor.head = cursor.at[1];
-        return *cursor.at;
+        return {*cursor.at};
     };
     if (closest.fires) {   // past the last visit, or its last triangle
-        const std::uint32_t word = next(closest.ray);
-        if (levels && (word & Trace::place_flag))
+        const EndWord word = next(closest.ray);
+        if (levels && word.is_place())
             wants = Shade::Wants::place;
-        else if (word & Trace::surface_flag)
+        else if (word.has_line())
             wants = Shade::Wants::surface;
     }
     const bool placed = came.fires & m.placing;
@@ -192,7 +192,7 @@ std::uint64_t Pipeline::wakes(std::uint64_t now) const {
         (feed_ != RayFeed::camera && surf_or_stream_cache_.answers()) ||
         (feed_ == RayFeed::textured && tex_cache_.answers()))
         return now;
-    std::uint64_t wakes = std::min({raygen_.due(), box_.due(now), tri_.due(now)});
+    std::uint64_t wakes = std::min({raygen_.due(), node_unit_.due(now), tri_.due(now)});
     if (has_instances_) wakes = std::min(wakes, xform_.due(now));
     if (delays_answers_) wakes = std::min({wakes, node_answer_delay_.due(now), tri_answer_delay_.due(now)});
     if (feed_ == RayFeed::textured) wakes = std::min(wakes, tex_.due(now));
@@ -211,8 +211,9 @@ std::string Pipeline::where(std::uint32_t ray, std::uint64_t now) const {
         return (feed_ == RayFeed::stream ? "stream: " : "surf_cache: ") + place;
     if (std::string place = node_cache_.where(ray); !place.empty()) return "node_cache: " + place;
     if (std::string place = prim_cache_.where(ray); !place.empty()) return "prim_cache: " + place;
-    return raygen_.contains(RayNumber(ray))     ? "raygen"
-           : box_.contains(RayNumber(ray), now) ? unit_infos[index((is_low(ray) ? lower_ : upper_).unit)].name
+    return raygen_.contains(RayNumber(ray)) ? "raygen"
+           : node_unit_.contains(RayNumber(ray), now)
+               ? unit_infos[index((is_low(ray) ? lower_ : upper_).unit)].name
            : xform_.contains(RayNumber(ray), now) ? "xform"
            : tri_.contains(RayNumber(ray), now)   ? "tri"
            : delays_answers_ && node_answer_delay_.contains(RayNumber(ray), now)
@@ -230,29 +231,35 @@ Accounts Pipeline::accounts() const {
     const bool streams = feed_ == RayFeed::stream;
     for (std::uint32_t i = 0; i < units_.size(); ++i) {
         if (units_[i] == 0) continue;
-        // With a stream, the unit stream lies between sched and raygen, so two causes differ.
-        const std::uint32_t sched = i & 3, raygen = i >> 2 & 3;
-        add(Unit::sched, streams && sched == 3 ? 4 : sched, units_[i]);
-        add(Unit::raygen, streams && raygen == 1 ? 3 : raygen, units_[i]);
-        add(Unit::trav, i >> 4 & 3, units_[i]);
-        if (!is_list_) add(upper_.unit, i >> 6 & 3, units_[i]);
-        add(Unit::list, i >> 8 & 1, units_[i]);
-        add(Unit::tri, i >> 9 & 3, units_[i]);
+        UnitCodes codes = UnitCodes::of(i);
+        if (streams) {   // the unit stream lies between sched and raygen
+            if (codes.sched == cause_code(Unit::sched, stalled("raygen")))
+                codes.sched = cause_code(Unit::sched, stalled("stream"));
+            if (codes.raygen == cause_code(Unit::raygen, starved("sched")))
+                codes.raygen = cause_code(Unit::raygen, starved("stream"));
+        }
+        add(Unit::sched, codes.sched, units_[i]);
+        add(Unit::raygen, codes.raygen, units_[i]);
+        add(Unit::trav, codes.trav, units_[i]);
+        if (!is_list_) add(upper_.unit, codes.node_unit, units_[i]);
+        add(Unit::list, codes.list, units_[i]);
+        add(Unit::tri, codes.tri, units_[i]);
     }
+    constexpr std::uint32_t outcome = (1u << cause_bits) - 1;
     for (std::uint32_t i = 0; i < caches_.size(); ++i) {
-        if (!is_list_) add(Unit::node_cache, i & 7, caches_[i]);
-        add(Unit::prim_cache, i >> 3, caches_[i]);
+        if (!is_list_) add(Unit::node_cache, i & outcome, caches_[i]);
+        add(Unit::prim_cache, i >> cause_bits, caches_[i]);
     }
     for (std::uint32_t i = 0; i < tex_cycles_.size(); ++i) {
-        add(Unit::tex_cache, i & 7, tex_cycles_[i]);
-        add(Unit::tex, i >> 3, tex_cycles_[i]);
+        add(Unit::tex_cache, i & outcome, tex_cycles_[i]);
+        add(Unit::tex, i >> cause_bits, tex_cycles_[i]);
     }
     for (std::uint32_t i = 0; i < xforms_.size(); ++i) add(Unit::xform, i, xforms_[i]);
     for (std::uint32_t i = 0; lower_.unit != upper_.unit && i < lowers_.size(); ++i)
         add(lower_.unit, i, lowers_[i]);
     for (std::uint32_t i = 0; i < surf_or_stream_cycles_.size(); ++i) {
-        add(streams ? Unit::stream : Unit::surf_cache, i & 7, surf_or_stream_cycles_[i]);
-        if (!streams) add(Unit::shade, i >> 3, surf_or_stream_cycles_[i]);
+        add(streams ? Unit::stream : Unit::surf_cache, i & outcome, surf_or_stream_cycles_[i]);
+        if (!streams) add(Unit::shade, i >> cause_bits, surf_or_stream_cycles_[i]);
     }
     return sums;
 }

@@ -3,13 +3,14 @@
 #include <string>
 
 #include "model/machine/links.hpp"
-#include "model/unit/list/list.hpp"
+#include "model/machine/unit_codes.hpp"
 #include "model/mem/cache.hpp"
 #include "model/mem/memport.hpp"
+#include "model/trace/trace.hpp"
+#include "model/unit/list/list.hpp"
 #include "model/unit/sched/sched.hpp"
 #include "model/unit/shade/unit.hpp"
 #include "model/unit/tex/unit.hpp"
-#include "model/trace/trace.hpp"
 #include "model/unit/trav/trav.hpp"
 
 namespace rayclock {
@@ -78,12 +79,12 @@ public:
     }
     Slot slot() const { return sched_.slot(); }
     const Slot& pixel(std::uint32_t ray) const { return sched_.pixel(ray); }
-    std::uint32_t node_addr(std::uint32_t ray) const { return rays_[ray].head & Trace::node_mask; }
-    std::uint32_t prim_addr(std::uint32_t ray) const { return *rays_[ray].at & Trace::prim_mask; }
-    std::uint32_t surf_addr(std::uint32_t ray) const { return *rays_[ray].at & Trace::node_mask; }
+    std::uint32_t node_addr(std::uint32_t ray) const { return VisitWord{rays_[ray].head}.line(); }
+    std::uint32_t prim_addr(std::uint32_t ray) const { return TestWord{*rays_[ray].at}.half_line(); }
+    std::uint32_t surf_addr(std::uint32_t ray) const { return EndWord{*rays_[ray].at}.line(); }
     /// Returns the line that tex requests for a ray.
     std::uint32_t texel_addr(std::uint32_t ray) const {
-        return rays_[ray].at[moves_[Link::tex_req].fires ? -2 : -1] & Trace::node_mask;
+        return EndWord{rays_[ray].at[moves_[Link::tex_req].fires ? -2 : -1]}.line();
     }
     /// Returns the line of the record of a ray that a context is about to get.
     std::uint32_t record_addr(const Slot& slot) const {
@@ -100,9 +101,7 @@ public:
                                            : surf_or_stream_outcome_;
     }
     /// Returns the purpose of the ray that is being spawned. Call it while its transfer is observed.
-    RayPurpose purpose(std::uint32_t ray) const {
-        return RayPurpose(rays_[ray].at[-2] >> Trace::purpose_shift & 3);
-    }
+    RayPurpose purpose(std::uint32_t ray) const { return EndWord{rays_[ray].at[-2]}.purpose(); }
 
     /// Calls `look_up(Cache&, word)` for each word that a pixel's rays read, ray by ray. Samples of a frame
     /// warm the caches with it.
@@ -166,12 +165,13 @@ private:
     /// All inner links in a cycle. SharedMoves has the links to the shared units.
     struct Moves {
         std::array<LinkInside, pipeline_links> links;
-        LinkRay node_answer, tri_answer;   // box's and tri's answers on arrival at trav and list
+        LinkRay node_answer, tri_answer;   // the node unit's and tri's answers on arrival at trav and list
         bool step = false;                 // trav accepts a step of a ray that was tested or has no leaves
         bool read = false;                 // node_cache's answer is accepted
         bool placing = false;              // surf_cache's answer is an instance
-        bool lower_request = false, lower_answer = false;   // box's links belong to the lower engine's unit
-        std::uint32_t record = 0;                           // line of the record of sched's next ray
+        bool lower_request = false;        // the request to a node unit is for lower_
+        bool lower_answer = false;         // the answer of a node unit is from lower_
+        std::uint32_t record = 0;          // line of the record of sched's next ray
         std::uint32_t shade_code = 0, xform_code = 0, lower_code = 0, tex_code = 0;   // codes of units.hpp
         const LinkInside& operator[](Link link) const { return links[index(link)]; }
         void offer(Link link, bool offered, bool ready, std::uint32_t ray) {
@@ -180,26 +180,28 @@ private:
         /// True if one of these links fires.
         template <class... Links> bool any(Links... some) const { return (links[index(some)].fires | ...); }
     };
-    /// box's links represent those of the unit that decides nodes. With two such units, at most one gets a
-    /// request in a cycle and one answers, since the faster one's answers wait as long as the other's.
+    /// The links of the node units share two entries of Moves. With two node units, at most one gets a
+    /// request in a cycle and at most one answers, because both have the latency of the slower one.
+    static constexpr Link node_unit_req = Link::box_req, node_unit_rsp = Link::box_rsp;
+    /// Returns the link's entry in Moves.
     static constexpr Link inside(Link link) {
-        return is_node_request(link) ? Link::box_req : is_node_answer(link) ? Link::box_rsp : link;
+        return is_node_request(link) ? node_unit_req : is_node_answer(link) ? node_unit_rsp : link;
     }
-    /// Returns the link's own name for the outside.
+    /// Returns the link of an entry in Moves.
     Link outside(Link link) const {
-        return link == Link::box_req   ? (moves_.lower_request ? lower_ : upper_).req
-               : link == Link::box_rsp ? (moves_.lower_answer ? lower_ : upper_).rsp
+        return link == node_unit_req   ? (moves_.lower_request ? lower_ : upper_).req
+               : link == node_unit_rsp ? (moves_.lower_answer ? lower_ : upper_).rsp
                                        : link;
     }
     /// True if the lower engine walks the ray's node; false with one engine.
     bool is_low(std::uint32_t ray) const { return node_addr(ray) >= first_mesh_line_; }
-    /// Returns the cause of the deciding unit: of the only one, or of the upper or lower one.
-    std::uint32_t decide_code(const Moves& m, bool low) const {
-        const LinkInside& req = m[Link::box_req];
+    /// Returns the cause of a node unit: of the only one, or of the upper or lower one.
+    std::uint32_t node_unit_code(const Moves& m, bool low) const {
+        const LinkInside& req = m[node_unit_req];
         const bool own = m.lower_request == low;
-        if (box_hold_left_ > 0 && box_is_low_ == low) return 0;
-        return test_codes[std::size_t((own & req.valid) + (own & req.fires) +
-                                      3 * node_cache_.has_misses_in_flight())];
+        if (box_hold_left_ > 0 && box_is_low_ == low) return busy_code;
+        return node_unit_codes[std::size_t((own & req.valid) + (own & req.fires) +
+                                           3 * node_cache_.has_misses_in_flight())];
     }
     template <RayFeed feed, bool levels> void settle(Moves& m, std::uint64_t now) const;
     void settle_tex(Moves& m, std::uint64_t now) const;
@@ -211,20 +213,20 @@ private:
         return feed_ == RayFeed::stream ? of_stream : of_surf_cache;
     }
     Decision::Flags decide(std::uint32_t ray, bool valid);
-    bool has_tests(std::uint32_t ray) const { return rays_[ray].head & Trace::tests_flag; }
+    bool has_tests(std::uint32_t ray) const { return VisitWord{rays_[ray].head}.has_tests(); }
     void enter(const LinkInside& change);
     bool has_more(std::uint32_t ray, bool tested);
     template <RayFeed feed, bool levels> Shade::Leave turn_of(std::uint32_t ray);
     template <RayFeed feed> void account_units(const Moves& m);
     void account_caches() {
-        last_caches_ = std::uint32_t(node_outcome_) | std::uint32_t(prim_outcome_) << 3;
+        last_caches_ = std::uint32_t(node_outcome_) | std::uint32_t(prim_outcome_) << cause_bits;
         ++caches_[last_caches_];
     }
     template <RayFeed feed> void clock_sched(const Moves& m, const Tile* tile);
     template <RayFeed feed> void clock_raygen(const Moves& m, std::uint64_t now);
     template <RayFeed feed, bool levels> void clock_trav(const Moves& m);
     void clock_node_cache(const Moves& m, const SharedMoves& shared);
-    void clock_box(const Moves& m, std::uint64_t now);
+    void clock_node_unit(const Moves& m, std::uint64_t now);
     void clock_xform(const Moves& m, std::uint64_t now);
     void clock_list(const Moves& m);
     void clock_prim_cache(const Moves& m, const SharedMoves& shared);
@@ -237,11 +239,11 @@ private:
     RayFeed feed_;
     bool has_instances_;
     bool is_list_;                       // no nodes
-    NodeUnit upper_, lower_;             // units that decide nodes of the scene's tree, and of meshes
+    NodeUnit upper_, lower_;             // of the scene's tree, and of meshes; equal with one engine
     std::uint32_t first_ray_line_ = 0;   // line of the stream's first record
     int pixel_bits_;
     std::uint32_t first_mesh_line_ = ~0u;   // first line whose nodes lower_ decides
-    bool box_is_low_;   // if two units exist: lower_ is box, which accepts a node every few cycles
+    bool box_is_low_;   // with two engines: lower_ is the unit box, which accepts a node every few cycles
     const Trace* trace_ = nullptr;
     Sched sched_;
     Pipe<RayNumber> raygen_;
@@ -249,9 +251,9 @@ private:
     std::uint32_t raygen_hold_, raygen_hold_left_ = 0;
     Trav trav_;
     Cache node_cache_;
-    Delay box_;
+    Delay node_unit_;
     Delay node_answer_delay_;                      // delays the answers to trav in a fast chip
-    std::uint32_t box_hold_, box_hold_left_ = 0;   // the same of box, after a node
+    std::uint32_t box_hold_, box_hold_left_ = 0;   // the same of the unit box, after a node
     Delay xform_;
     std::uint32_t xform_hold_, xform_hold_left_ = 0;   // the same of xform, after a ray
     List list_;
@@ -274,21 +276,15 @@ private:
         tex_outcome_{CacheOutcome::starved};
     bool asleep_ = false;
 
-    // Codes of units.hpp, by the progress of the item that the unit waits for: absent, on offer, accepted.
-    // Before that, sched's pixel must be valid. For box and tri it also matters whether memory has a request
-    // in flight (3 more). For trav it matters whether a step waits, and whether no ray recirculates (2 more).
-    // Recirculation counts as work, or as a stall if a step waits.
-    static constexpr std::array<std::uint8_t, 4> sched_codes{2, 1, 3, 0}, trav_codes{0, 2, 1, 0};
-    static constexpr std::array<std::uint8_t, 3> raygen_codes{1, 2, 0};
-    static constexpr std::array<std::uint8_t, 6> test_codes{2, 3, 0, 1, 3, 0};
-
-    // Cycles by the units' codes, several units per index; see account_units().
+    // Cycles by the units' codes. A cache's outcome has cause_bits; the code of shade or tex follows it.
     std::uint32_t last_units_ = 0, last_caches_ = 0, last_surf_or_stream_ = 0;
-    std::array<std::uint64_t, 1 << 11> units_{};
-    std::array<std::uint64_t, 1 << 6> caches_{};
-    std::array<std::uint64_t, 1 << 5> surf_or_stream_cycles_{};   // surf_cache and shade, or stream
+    std::array<std::uint64_t, 1 << UnitCodes::bits> units_{};
+    std::array<std::uint64_t, 1 << 2 * cause_bits> caches_{};   // node_cache, then prim_cache
+    static constexpr int outcome_and_code_bits = cause_bits + UnitCodes::code_bits;
+    std::array<std::uint64_t, 1 << outcome_and_code_bits> surf_or_stream_cycles_{};   // surf_cache or stream,
+                                                                                      // then shade
     std::uint32_t last_tex_ = 0;
-    std::array<std::uint64_t, 1 << 5> tex_cycles_{};   // tex_cache and tex
+    std::array<std::uint64_t, 1 << outcome_and_code_bits> tex_cycles_{};   // tex_cache, then tex
     std::uint32_t last_xform_ = 0;
     std::array<std::uint64_t, 3> xforms_{};
     std::uint32_t last_lower_ = 0;
@@ -297,21 +293,22 @@ private:
 
 template <class LookUp> void Pipeline::replay_reads(const std::uint32_t* at, LookUp&& look_up) {
     for (;;) {
-        for (std::uint32_t head = 0; !(head & Trace::end_flag);) {
-            head = *at++;
-            if (!is_list_) look_up(node_cache_, head & Trace::node_mask);
-            if (!(head & Trace::tests_flag)) continue;
-            do look_up(prim_cache_, (*at & Trace::prim_mask) >> 1);
-            while (!(*at++ & Trace::last_flag));
+        for (VisitWord visit; !visit.ends_ray();) {
+            visit = {*at++};
+            if (!is_list_) look_up(node_cache_, visit.line());
+            if (!visit.has_tests()) continue;
+            do look_up(prim_cache_, TestWord{*at}.half_line() >> 1);
+            while (!TestWord{*at++}.is_last());
         }
         if (!is_shaded(feed_)) return;
-        while (*at & Trace::place_flag) look_up(surf_or_stream_cache_, *at++ & Trace::node_mask);
-        if (*at & Trace::record_flag) {
-            look_up(tex_cache_, *at++ & Trace::node_mask);
-            look_up(tex_cache_, *at++ & Trace::node_mask);
+        while (EndWord{*at}.is_place()) look_up(surf_or_stream_cache_, EndWord{*at++}.line());
+        if (EndWord{*at}.is_record()) {
+            look_up(tex_cache_, EndWord{*at++}.line());
+            look_up(tex_cache_, EndWord{*at++}.line());
         }
-        if (*at & Trace::surface_flag) look_up(surf_or_stream_cache_, *at & Trace::node_mask);
-        if (*at & Trace::pixel_flag) return;
+        const EndWord surface{*at};
+        if (surface.has_line()) look_up(surf_or_stream_cache_, surface.line());
+        if (surface.ends_pixel()) return;
         at += 2;
     }
 }

@@ -21,27 +21,27 @@ template <Pipeline::RayFeed feed, bool levels>
     m.offer(Link::node_req, trav_.node_valid<levels>() & !is_list_, node_cache_.ready(),
             trav_.node_ray<levels>());
     const std::uint32_t read = node_cache_.answer();
-    const bool enters = levels && Trace::enters(rays_[read].head);
+    const bool enters = levels && VisitWord{rays_[read].head}.is_entry();
     m.lower_request = levels && is_low(read);
-    m.offer(Link::box_req, node_cache_.valid() & !enters,
-            box_.ready() & ((box_hold_left_ == 0) | (m.lower_request != box_is_low_)), read);
-    if constexpr (levels) m.lower_code = decide_code(m, true);
-    m.read = m[Link::box_req].fires;
+    m.offer(node_unit_req, node_cache_.valid() & !enters,
+            node_unit_.ready() & ((box_hold_left_ == 0) | (m.lower_request != box_is_low_)), read);
+    if constexpr (levels) m.lower_code = node_unit_code(m, true);
+    m.read = m[node_unit_req].fires;
     if constexpr (levels) {
         const LinkRay changed = xform_.answer(now);
         m.offer(Link::xform_req, node_cache_.valid() & enters, xform_hold_left_ == 0, read);
         m.offer(Link::change, changed.valid, true, changed.ray);
         m.read = m.read | m[Link::xform_req].fires;
-        m.xform_code = (m[Link::xform_req].valid | (xform_hold_left_ > 0)) ? 0
-                       : node_cache_.has_misses_in_flight()                ? 1
-                                                                           : 2;
+        m.xform_code = (m[Link::xform_req].valid | (xform_hold_left_ > 0)) ? busy_code
+                       : node_cache_.has_misses_in_flight() ? cause_code(Unit::xform, starved("memory"))
+                                                            : cause_code(Unit::xform, starved("trav"));
     }
-    const LinkRay from_box = box_.answer(now), from_tri = tri_.answer(now);
-    m.lower_answer = levels && is_low(from_box.ray);
-    m.node_answer = delays_answers_ ? node_answer_delay_.answer(now) : from_box;
+    const LinkRay from_node_unit = node_unit_.answer(now), from_tri = tri_.answer(now);
+    m.lower_answer = levels && is_low(from_node_unit.ray);
+    m.node_answer = delays_answers_ ? node_answer_delay_.answer(now) : from_node_unit;
     if (is_list_) m.node_answer = {trav_.node_valid(), trav_.node_ray()};   // a page needs no memory
     m.tri_answer = delays_answers_ ? tri_answer_delay_.answer(now) : from_tri;
-    m.offer(Link::box_rsp, from_box.valid, true, from_box.ray);
+    m.offer(node_unit_rsp, from_node_unit.valid, true, from_node_unit.ray);
     m.offer(Link::leaves, m.node_answer.valid & has_tests(m.node_answer.ray), true, m.node_answer.ray);
     m.offer(Link::prim_req, list_.prim_valid(), prim_cache_.ready(), list_.prim_ray());
     m.offer(Link::tri_req, prim_cache_.valid(), tri_.ready() & (tri_hold_left_ == 0), prim_cache_.answer());
@@ -55,7 +55,7 @@ template <Pipeline::RayFeed feed, bool levels>
         m.offer(Link::surf_req, shade_.surf_valid<levels>(), surf_or_stream_cache_.ready(),
                 shade_.surf_ray<levels>());
         const std::uint32_t came = surf_or_stream_cache_.answer();
-        m.placing = levels && (*rays_[came].at & Trace::place_flag);
+        m.placing = levels && EndWord{*rays_[came].at}.is_place();
         m.offer(Link::surf_rsp, surf_or_stream_cache_.valid(), shade_.ready() | m.placing, came);
         m.offer(Link::spawn, shade_.spawn_valid(), begins & !camera, shade_.spawn_ray());
         m.shade_code = shade_.code(surf_or_stream_cache_.valid() & !m.placing,
@@ -74,7 +74,9 @@ inline void Pipeline::settle_tex(Moves& m, std::uint64_t now) const {
     m.offer(Link::texel_rsp, tex_cache_.valid(), true, tex_cache_.answer());
     const LinkRay filtered = tex_.answer(now);
     m.offer(Link::tex_rsp, filtered.valid, true, filtered.ray);
-    m.tex_code = m[Link::texel_rsp].valid ? 0 : tex_cache_.has_misses_in_flight() ? 1 : 2;
+    m.tex_code = m[Link::texel_rsp].valid            ? busy_code
+                 : tex_cache_.has_misses_in_flight() ? cause_code(Unit::tex, starved("memory"))
+                                                     : cause_code(Unit::tex, starved("shade"));
 }
 
 template <Pipeline::RayFeed feed> [[gnu::always_inline]] inline void Pipeline::account_units(const Moves& m) {
@@ -84,24 +86,26 @@ template <Pipeline::RayFeed feed> [[gnu::always_inline]] inline void Pipeline::a
     const bool asked = m[first].valid | (shades && m[Link::spawn].valid),
                begun = m[first].fires | (shades && m[Link::spawn].fires);
     const std::size_t turn = trav_.step_valid(m[Link::tested].valid), free = trav_.step_ready();
-    const std::uint32_t
-        sched = sched_codes[std::size_t(sched_.pixel_valid() + progress(Link::slot))],
-        raygen = raygen_hold_left_ > 0 ? 0u : raygen_codes[std::size_t(asked + begun)],
-        trav = trav_codes[turn + 2 * free], box = decide_code(m, false),
-        list = !(m[Link::leaves].fires | m[Link::tri_rsp].fires),
-        tri = tri_hold_left_ > 0
-                  ? 0u
-                  : test_codes[std::size_t(progress(Link::tri_req) + 3 * prim_cache_.has_misses_in_flight())];
-    last_units_ = sched | raygen << 2 | trav << 4 | box << 6 | list << 8 | tri << 9;
+    UnitCodes codes;
+    codes.sched = sched_codes[std::size_t(sched_.pixel_valid() + progress(Link::slot))];
+    codes.raygen = raygen_hold_left_ > 0 ? busy_code : raygen_codes[std::size_t(asked + begun)];
+    codes.trav = trav_codes[turn + 2 * free];
+    codes.node_unit = node_unit_code(m, false);
+    codes.list = m[Link::leaves].fires | m[Link::tri_rsp].fires ? busy_code : list_starved;
+    codes.tri =
+        tri_hold_left_ > 0
+            ? busy_code
+            : tri_codes[std::size_t(progress(Link::tri_req) + 3 * prim_cache_.has_misses_in_flight())];
+    last_units_ = codes.packed();
     ++units_[last_units_];
 }
 
 inline Decision::Flags Pipeline::decide(std::uint32_t ray, bool valid) {
     TraceCursor& cursor = rays_[ray];
-    const bool again = cursor.head >> Trace::dropped_shift,
-               done = !again & bool(cursor.head & Trace::end_flag);
+    const VisitWord head{cursor.head};
+    const bool again = head.dropped() > 0, done = !again & head.ends_ray();
     const bool visit = valid & !again & !done;
-    const std::uint32_t turns = std::uint32_t(valid & again) << Trace::dropped_shift;
+    const std::uint32_t turns = std::uint32_t(valid & again) << VisitWord::dropped_shift;
     cursor.at += visit;
     const std::uint32_t next = *cursor.at;
     cursor.head = select(visit, next, cursor.head - turns);
@@ -117,7 +121,7 @@ inline void Pipeline::enter(const LinkInside& change) {
 
 inline bool Pipeline::has_more(std::uint32_t ray, bool tested) {
     TraceCursor& cursor = rays_[ray];
-    const bool more = !(*cursor.at & Trace::last_flag);
+    const bool more = !TestWord{*cursor.at}.is_last();
     cursor.at += more & tested;
     return more;
 }
@@ -169,11 +173,11 @@ template <Pipeline::RayFeed feed, bool levels>
                                       shared.node_miss);
 }
 
-[[gnu::always_inline]] inline void Pipeline::clock_box(const Moves& m, std::uint64_t now) {
-    box_.clock(now, m[Link::box_req]);
-    box_hold_left_ = select(m[Link::box_req].fires & (m.lower_request == box_is_low_), box_hold_,
+[[gnu::always_inline]] inline void Pipeline::clock_node_unit(const Moves& m, std::uint64_t now) {
+    node_unit_.clock(now, m[node_unit_req]);
+    box_hold_left_ = select(m[node_unit_req].fires & (m.lower_request == box_is_low_), box_hold_,
                             box_hold_left_ - (box_hold_left_ > 0));
-    if (delays_answers_) node_answer_delay_.clock(now, m[Link::box_rsp]);
+    if (delays_answers_) node_answer_delay_.clock(now, m[node_unit_rsp]);
 }
 
 [[gnu::always_inline]] inline void Pipeline::clock_list(const Moves& m) {
@@ -217,7 +221,7 @@ template <Pipeline::RayFeed feed, bool levels>
     clock_trav<feed, levels>(m);
     if constexpr (levels) clock_xform(m, now);
     clock_node_cache(m, shared);
-    clock_box(m, now);
+    clock_node_unit(m, now);
     clock_list(m);
     clock_prim_cache(m, shared);
     clock_tri(m, now);
@@ -225,7 +229,7 @@ template <Pipeline::RayFeed feed, bool levels>
     asleep_ = (node_outcome_ > CacheOutcome::drain) & (prim_outcome_ > CacheOutcome::drain) &
               !node_cache_.loaded() & !prim_cache_.loaded() &
               !(turning | m.step | shared.any() |
-                m.any(Link::slot, Link::ray, Link::node_req, Link::box_req, Link::box_rsp, Link::prim_req,
+                m.any(Link::slot, Link::ray, Link::node_req, node_unit_req, node_unit_rsp, Link::prim_req,
                       Link::tri_req, Link::tri_rsp, Link::hit));
     if constexpr (levels) asleep_ = asleep_ & !m.any(Link::xform_req, Link::change);
     if constexpr (feed == RayFeed::stream) {

@@ -64,7 +64,7 @@ enum class UnitPlace : std::uint8_t { pipeline, engine, shared, outside };
 #define RAYCLOCK_CACHE_CAUSES(user, reader)                                                   \
     busy("hit"), busy("miss"), busy("merge"), busy("drain"), starved(user), stalled("mshrs"), \
         stalled("conflict"), stalled(reader)
-// The causes of every unit that decides nodes: all the same, since the same wiring drives them
+// The causes of every node unit: all the same, since the same wiring drives them
 // (rtl/unit/trav/rc_tree.sv).
 #define RAYCLOCK_NODE_UNIT(UNIT, structure, unit, Engine) \
     UNIT(unit, engine, structure, busy(), starved("memory"), starved("trav"), stalled("trav"))
@@ -124,6 +124,17 @@ constexpr std::optional<Unit> unit_called(std::string_view name) {
         if (unit_infos[u].name == name) return Unit(u);
     return {};
 }
+/// Returns the code by which a unit reports a cause. Fails to compile if its row does not have the cause.
+consteval std::uint8_t cause_code(Unit unit, const Cause& cause) {
+    for (std::size_t code = 0; code < cause_count; ++code) {
+        const Cause& listed = unit_infos[index(unit)].causes[code];
+        if (listed.kind == cause.kind && std::string_view(listed.name) == cause.name)
+            return std::uint8_t(code);
+    }
+    throw "the unit's row does not have this cause";
+}
+constexpr std::uint8_t busy_code = 0;   ///< every unit without a cache is busy with this code
+
 /// Returns the place of the unit with this name; an unknown name counts as outside the chip.
 constexpr UnitPlace place_of(std::string_view name) {
     const std::optional<Unit> unit = unit_called(name);

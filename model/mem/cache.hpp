@@ -110,12 +110,12 @@ private:
         bool busy = false;
         std::uint32_t line = 0, set = 0, way = 0, head = 0, tail = 0, words = 0;
     };
-    static constexpr std::uint32_t most_ways = 8;
+    static constexpr std::uint32_t max_ways = 8;
     /// The lines that a set's ways hold, and the MSHRs that these wait for.
     struct Set {
-        std::array<std::uint32_t, most_ways> lines{};   ///< + 1; 0: none
-        std::array<std::uint8_t, most_ways> mshrs{};    ///< + 1; 0: the line is present
-        std::uint8_t recent = 0;                        ///< bits of the tree, node 1 at bit 1
+        std::array<std::uint32_t, max_ways> lines{};   ///< + 1; 0: none
+        std::array<std::uint8_t, max_ways> mshrs{};    ///< + 1; 0: the line is present
+        std::uint8_t recent = 0;                       ///< bits of the tree, node 1 at bit 1
     };
     CacheOutcome look_up(bool room, bool answer_taken);
     CacheOutcome drain(bool room, bool answer_taken);
@@ -148,7 +148,7 @@ private:
     int word_bits_;
     std::uint32_t set_mask_;
     std::vector<Set> sets_;
-    std::array<std::uint8_t, most_ways> plru_keep_{}, plru_set_{};
+    std::array<std::uint8_t, max_ways> plru_keep_{}, plru_set_{};
     std::vector<Mshr> mshrs_;
     int busy_ = 0;
     std::vector<std::uint32_t> next_;   ///< [id]: the next request in its chain
@@ -167,7 +167,7 @@ inline CacheOutcome Cache::look_up(bool room, bool answer_taken) {
     const std::uint32_t line = request.addr >> word_bits_, number = line & set_mask_;
     Set& set = sets_[number];
     std::uint32_t place = 0;   // way that holds the line, + 1; at most one way does
-    for (std::uint32_t w = 0; w < most_ways; ++w) place |= set.lines[w] == line + 1 ? w + 1 : 0;
+    for (std::uint32_t w = 0; w < max_ways; ++w) place |= set.lines[w] == line + 1 ? w + 1 : 0;
     const bool found = place != 0;
     const std::uint32_t way = place - found;
     const bool hit = some & room & found & (set.mshrs[way] == 0);

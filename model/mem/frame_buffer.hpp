@@ -18,7 +18,7 @@ namespace rayclock {
 /// row. So a memory that is too slow for the screen still serves the chip.
 ///
 /// Every 16 finished pixels, or 4 hits, make one write, as if tiles were gathered into words. A write goes
-/// when the chip requests nothing, or before its requests if most_pixel_words are waiting. A picture with
+/// when the chip requests nothing, or before its requests if max_pixel_words are waiting. A picture with
 /// more pixels wraps within its buffer, which keeps the rate of row changes.
 class FrameBuffer {
 public:
@@ -27,7 +27,7 @@ public:
     static constexpr std::int64_t bytes = 2 * std::int64_t(words) * 64;
     static constexpr double screen_bytes_per_second = double(words_per_ms) * 1000 * 64;
     static constexpr int ids = 8;   ///< most words of the screen in flight
-    static constexpr std::uint32_t most_pixel_words = 4;
+    static constexpr std::uint32_t max_pixel_words = 4;
 
     FrameBuffer(const Config& config, int khz)
         : khz_(std::uint32_t(khz)),
@@ -43,7 +43,7 @@ public:
     /// True if a word of pixels is ready to be written.
     bool wants_write() const { return pixel_words_ > 0; }
     /// True if a read or write has priority over the chip's request.
-    bool goes_first() const { return !had_turn_ && (wants_read() || pixel_words_ >= most_pixel_words); }
+    bool goes_first() const { return !had_turn_ && (wants_read() || pixel_words_ >= max_pixel_words); }
 
     struct Read {
         std::uint32_t id = 0, addr = 0;   ///< id: below `ids`

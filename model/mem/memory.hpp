@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "model/board/board_memory.hpp"
-#include "model/mem/dram_channels.hpp"
 #include "model/core/dram_parts.hpp"
+#include "model/mem/dram_channels.hpp"
 #include "model/mem/frame_buffer.hpp"
 #include "model/mem/memport.hpp"
 

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/base/rng.hpp"
 #include "model/core/config.hpp"
 #include "model/core/ring.hpp"
-#include "model/base/rng.hpp"
 
 namespace rayclock {
 

@@ -108,8 +108,8 @@ struct Cut {
     Scene (*generate)(int size, Primitives primitives, int sides);
 };
 constexpr std::array<Cut, 2> cut{{{"rings", rings_counts, make_rings}, {"tree", tree_counts, make_tree}}};
-constexpr int least_sides = 3, most_sides = 1000;
-constexpr std::uint64_t most_triangles = 20'000'000;
+constexpr int least_sides = 3, max_sides = 1000;
+constexpr std::uint64_t max_triangles = 20'000'000;
 
 /// Returns a whole number from `least` to `most`. Otherwise throws UserError; `what` begins the sentence.
 int number_of(std::string_view digits, int least, int most, const std::string& what) {
@@ -140,7 +140,7 @@ Spec parsed(const Builtin& builtin, std::string_view spec) {
         number_of(has_sides ? digits.substr(0, colon) : digits, 1, builtin.max_size, "the size" + scene);
     if (!has_sides) return out;
     out.sides =
-        number_of(digits.substr(colon + 1), least_sides, most_sides, "the number of sides of a cone" + scene);
+        number_of(digits.substr(colon + 1), least_sides, max_sides, "the number of sides of a cone" + scene);
     out.cut = &*way;
     return out;
 }
@@ -159,9 +159,9 @@ PrimitiveCounts builtin_counts(std::string_view text, Primitives primitives) {
     const Spec spec = parsed(builtin, text);
     if (!spec.cut) return builtin.counts(spec.size, primitives);
     const PrimitiveCounts counts = spec.cut->counts(spec.size, primitives, spec.sides);
-    if (counts.triangles > most_triangles)
+    if (counts.triangles > max_triangles)
         throw UserError(shown(text) + ": that would be " + std::to_string(counts.triangles) +
-                        " triangles, and " + std::to_string(most_triangles) + " are the limit");
+                        " triangles, and " + std::to_string(max_triangles) + " are the limit");
     return counts;
 }
 

@@ -6,7 +6,7 @@
 namespace rayclock {
 
 /// A scene with more placed triangles stays folded.
-constexpr std::uint64_t most_unfolded = 100'000'000;
+constexpr std::uint64_t max_unfolded = 100'000'000;
 
 /// Returns the scene with only its own triangles, and the instances in `placed`.
 Scene keep_instances(PlacedScene scene);

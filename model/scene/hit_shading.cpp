@@ -8,8 +8,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include <glm/geometric.hpp>
 #include <tbb/parallel_for.h>
+#include <glm/geometric.hpp>
 
 #include "model/scene/folded.hpp"
 

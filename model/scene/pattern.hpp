@@ -29,9 +29,9 @@ struct Pattern {
     int octaves = 4;
     std::uint64_t seed = 0;
 };
-constexpr int most_octaves = 8;
+constexpr int max_octaves = 8;
 /// The largest number of columns or rows. For noise: in its last octave.
-constexpr int most_cells = most_texture_side;
+constexpr int max_cells = max_texture_side;
 
 /// Returns the memory in bytes that texture_of() takes: the texels of all levels, and the random values of
 /// noise.

@@ -14,7 +14,7 @@
 namespace rayclock {
 namespace {
 
-constexpr std::uint64_t most_vertices = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint64_t max_vertices = std::numeric_limits<std::uint32_t>::max();
 
 /// Makes room for `more` items, and at least doubles the capacity. An exact reserve() for each of many copies
 /// would move all items each time.
@@ -26,7 +26,7 @@ template <class Item> void make_room(std::vector<Item>& list, std::size_t more) 
 template <class Part> void append_triangles(Scene& scene, const Part& part, const glm::dmat4& place,
                                             std::optional<std::uint32_t> material,
                                             std::uint32_t material_base) {
-    if (scene.vertices.size() + part.vertices.size() > most_vertices)
+    if (scene.vertices.size() + part.vertices.size() > max_vertices)
         throw UserError("more than 2^32 - 1 vertices");
     const auto base = static_cast<std::uint32_t>(scene.vertices.size());
     const glm::dmat3 linear(place);

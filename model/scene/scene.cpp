@@ -10,6 +10,7 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
+#include "model/core/config.hpp"
 #include "model/scene/hit.hpp"
 #include "model/scene/view.hpp"
 
@@ -50,9 +51,9 @@ struct Judge {
             refuse(std::to_string(primitive_count(scene)) + " primitives are too many; the most is " +
                    std::to_string(no_primitive - 1));
         if (scene.materials.empty()) refuse("there are no materials");
-        if (scene.lights.size() > most_lights)
+        if (scene.lights.size() > std::size_t(max_lights))
             refuse("there are " + std::to_string(scene.lights.size()) + " lights; the most is " +
-                   std::to_string(most_lights));
+                   std::to_string(max_lights));
     }
 
     void vertices() const {
@@ -93,10 +94,10 @@ struct Judge {
         for (std::size_t i = 0; i < scene.coordinates.size(); ++i)
             for (const glm::dvec2& corner : scene.coordinates[i])
                 for (const double x : {corner.x, corner.y})
-                    if (!(std::abs(x) <= most_coordinate))
+                    if (!(std::abs(x) <= max_coordinate))
                         refuse(numbered("triangle", i) + " has the texture coordinate " + text_of(x) +
-                               ", which must lie within -" + text_of(most_coordinate) + " and " +
-                               text_of(most_coordinate));
+                               ", which must lie within -" + text_of(max_coordinate) + " and " +
+                               text_of(max_coordinate));
     }
 
     void spheres() const {
@@ -127,10 +128,10 @@ struct Judge {
                        ", which are parallel");
             for (const glm::dvec2& at : p.coordinates)
                 for (const double x : {at.x, at.y})
-                    if (!(std::abs(x) <= most_given_coordinate))
+                    if (!(std::abs(x) <= max_given_coordinate))
                         refuse(numbered("plane", i) + " has the texture coordinate " + text_of(x) +
-                               ", which must lie within -" + text_of(most_given_coordinate) + " and " +
-                               text_of(most_given_coordinate));
+                               ", which must lie within -" + text_of(max_given_coordinate) + " and " +
+                               text_of(max_given_coordinate));
             material_of("plane", i, p.material);
         }
     }
@@ -180,9 +181,9 @@ struct Judge {
                 refuse(name + " is at " + text_of(light.position) + ", not a finite point");
             if (!is_finite(light.colour))
                 refuse(name + " has the colour " + text_of(light.colour) + ", not finite numbers");
-            if (!is_within(light.colour, most_light))
+            if (!is_within(light.colour, max_light))
                 refuse(name + " has the colour " + text_of(light.colour) + ", which must lie within 0 and " +
-                       text_of(most_light));
+                       text_of(max_light));
         }
         if (!is_finite(scene.background) || !is_within(scene.background, 1))
             refuse("the background " + text_of(scene.background) +

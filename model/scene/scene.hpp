@@ -126,13 +126,12 @@ struct Bounds {
 /// Returns the bounds. Throws UserError if the scene has no primitive.
 Bounds bounds(const Scene& scene);
 
-constexpr std::size_t most_lights = 64;
-constexpr double most_light = 16;   ///< largest component of a light's colour
+constexpr double max_light = 16;   ///< largest component of a light's colour
 
 /// Throws UserError unless the scene can be traced. It needs primitives and materials, and indices in range.
 /// Coordinates must be finite, radii above 0, and sides of planes not parallel. Colours and weights must lie
 /// within 0 and 1. A refractive index must be above 0 if the material transmits. Textured triangles must have
-/// coordinates within most_coordinate. The camera must have a view, with an angle in (0, 180). A scene may
+/// coordinates within max_coordinate. The camera must have a view, with an angle in (0, 180). A scene may
 /// have no light. `where` begins the sentence.
 void check_scene(const Scene& scene, const std::string& where);
 

@@ -6,11 +6,11 @@
 #include <limits>
 #include <stdexcept>
 
+#include <tbb/parallel_for.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
-#include <tbb/parallel_for.h>
 
 #include "model/scene/scene.hpp"
 
@@ -142,7 +142,7 @@ Pyramid make_pyramid(TexelLevel level0) {
 int texture_side(int side) {
     std::int64_t power = 1;
     // n lies nearer to 2 p than to p if n / p > 2 p / n.
-    while (power < most_texture_side && std::int64_t(side) * side > 2 * power * power) power *= 2;
+    while (power < max_texture_side && std::int64_t(side) * side > 2 * power * power) power *= 2;
     return int(power);
 }
 

@@ -45,13 +45,13 @@ struct Texture {
 };
 
 /// The longest side of level 0.
-constexpr int most_texture_side = 4096;
+constexpr int max_texture_side = 4096;
 /// The largest |s| and |t| of a triangle's corner, after the shift by whole periods.
-constexpr double most_coordinate = 64;
+constexpr double max_coordinate = 64;
 
 /// The largest |s| and |t| that a file may give, for triangles and planes. A 32-bit float of a larger number
 /// has too few digits for a texel.
-constexpr double most_given_coordinate = 1e6;
+constexpr double max_given_coordinate = 1e6;
 
 /// The coordinates (s, t) of a triangle's three corners.
 using CornerCoordinates = std::array<glm::dvec2, 3>;
@@ -66,7 +66,7 @@ std::uint8_t linear_to_srgb(double linear);
 /// weight the colours. Alpha is the plain mean, rounded half up.
 Pyramid make_pyramid(TexelLevel level0);
 
-/// Returns the power of two whose logarithm is nearest to the logarithm of a side, at most most_texture_side.
+/// Returns the power of two whose logarithm is nearest to the logarithm of a side, at most max_texture_side.
 int texture_side(int side);
 /// Returns the picture with sides of texture_side(). A new texel is the mean of the old picture over the new
 /// texel's area, in linear light. Alpha weights the colours. If the sides already fit, the picture does not

@@ -8,7 +8,7 @@ namespace rayclock {
 namespace {
 
 /// Prime to n * n. For an even n the first four cells lie in at least three quarters of the pixel.
-constexpr std::array<std::uint32_t, most_aa + 1> stride{0, 1, 3, 4, 7, 7, 13, 18, 29};
+constexpr std::array<std::uint32_t, max_aa + 1> stride{0, 1, 3, 4, 7, 7, 13, 18, 29};
 
 /// Jenkins 1997, "one at a time", over three words: only additions, shifts and exclusive ors.
 std::uint32_t hash(std::uint32_t seed, std::uint32_t x, std::uint32_t y, std::uint32_t s) {

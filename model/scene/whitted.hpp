@@ -6,10 +6,10 @@
 
 namespace rayclock {
 
-constexpr int most_depth = 15, most_aa = 8;
+constexpr int max_depth = 15, max_aa = 8;
 /// Maximum number of holes that a ray passes before its next bounce, and that light passes on its way to a
 /// point. The next hole counts as opaque.
-constexpr int most_holes = 63;
+constexpr int max_holes = 63;
 
 /// Whitted 1980, "An improved illumination model for shaded display": local light, shadow rays, reflection,
 /// refraction.

@@ -1,9 +1,9 @@
 #pragma once
 // The memory image, decoded into nodes and primitives on first use.
-#include "model/layout/memory_image.hpp"
-#include "model/trace/line_cache.hpp"
 #include "model/engine/engines.hpp"
 #include "model/engine/none/page.hpp"
+#include "model/layout/memory_image.hpp"
+#include "model/trace/line_cache.hpp"
 
 namespace rayclock {
 

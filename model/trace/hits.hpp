@@ -2,8 +2,8 @@
 // Hits in scene units, and digests.
 #include <cstdint>
 
-#include "model/layout/memory_image.hpp"
 #include "model/core/payloads.hpp"
+#include "model/layout/memory_image.hpp"
 #include "model/scene/hit.hpp"
 
 namespace rayclock {

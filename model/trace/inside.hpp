@@ -11,7 +11,7 @@ namespace rayclock {
 struct InsideRay {
     Change change;
     RayForms forms;
-    Ray moved{};   ///< the ray in the form of any_test()
+    Ray moved{};   ///< the ray in the form of test_primitive()
     WideNode entry;
     bool enters = false;   ///< the line read last is an instance
 
@@ -20,7 +20,7 @@ struct InsideRay {
                           std::uint32_t* t_near, std::uint32_t& hits) {
         change = xform({ray.ray, ray.o, ray.d, placement, ray.kind, ray.home}, config);
         moved.kind = ray.kind, moved.o = change.o, moved.d = change.d;
-        moved.self = ray.self, moved.inside = ray.inside, moved.partial = ray.partial;
+        moved.self = ray.self, moved.is_inside = ray.is_inside, moved.is_partial = ray.is_partial;
         forms.take(moved, box_ray(change), config.lower_engine(), config);
         entry.base = change.root;
         entry.children = entry.children_mask = entry.inner_mask = 1;

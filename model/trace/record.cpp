@@ -4,12 +4,12 @@
 #include <algorithm>
 
 #include "model/base/morton.hpp"
-#include "model/unit/isect/any.hpp"
+#include "model/engine/bvh/slab.hpp"
+#include "model/trace/trace.hpp"
+#include "model/trace/tree_walk.hpp"
+#include "model/unit/isect/test_primitive.hpp"
 #include "model/unit/isect/tri.hpp"
 #include "model/unit/raygen/raygen.hpp"
-#include "model/trace/trace.hpp"
-#include "model/engine/bvh/slab.hpp"
-#include "model/trace/tree_walk.hpp"
 
 namespace rayclock {
 

@@ -1,13 +1,13 @@
 #pragma once
 // Records one block of pixels: the inner part of record_trace(). The walk is TreeWalk, as everywhere. Boxes
 // and primitives are tested in a faster way, because all rays begin at the frame's eye.
+#include "model/engine/bvh/box.hpp"
 #include "model/layout/memory_image.hpp"
-#include "model/unit/isect/facet.hpp"
-#include "model/unit/isect/primitive.hpp"
 #include "model/trace/decoder.hpp"
 #include "model/trace/line_cache.hpp"
 #include "model/trace/walk.hpp"
-#include "model/engine/bvh/box.hpp"
+#include "model/unit/isect/facet.hpp"
+#include "model/unit/isect/primitive.hpp"
 #include "model/unit/trav/stack.hpp"
 
 namespace rayclock {

@@ -105,7 +105,7 @@ struct FromAnywhere {
     }
     RAYCLOCK_INLINE void test(std::uint32_t half_line) {
         TriRsp rsp;
-        any_test(from, decoder.prim(half_line), hit.best(), config, rsp);
+        test_primitive(from, decoder.prim(half_line), hit.best(), config, rsp);
         hit.take(rsp);
     }
     RAYCLOCK_INLINE std::uint32_t t() const { return hit.t(); }
@@ -147,13 +147,13 @@ struct WordWriter {
     }
     RAYCLOCK_INLINE void test(std::uint32_t half_line) { *word++ = half_line; }
     RAYCLOCK_INLINE void decided(std::uint32_t dropped, bool done) {
-        std::uint32_t flags = line | (done ? Trace::end_flag : 0);
+        std::uint32_t flags = line | (done ? VisitWord::end_flag : 0);
         if (const auto tests = std::uint64_t(word - head - 1)) {
-            flags |= Trace::tests_flag;
-            word[-1] |= Trace::last_flag;
+            flags |= VisitWord::tests_flag;
+            word[-1] |= TestWord::last_flag;
             totals.triangle_tests += tests;
         }
-        flags |= enters ? Trace::entry_flags : dropped << Trace::dropped_shift;
+        flags |= enters ? VisitWord::entry_flags : dropped << VisitWord::dropped_shift;
         totals.dropped_groups += dropped;
         *head = flags;
     }

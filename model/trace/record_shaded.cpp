@@ -17,22 +17,22 @@ std::size_t ShadedRecorder::pixel(std::uint32_t x, std::uint32_t y, std::size_t 
         at = record_(decoder_, config_, frame_.root, ray, at, scratch, totals, hit);
         shader_.arrived(hit, [this](std::uint32_t line) -> const Surface& { return decoder_.surface(line); });
         const bool surface = shader_.wants_surface();
-        const std::uint32_t line = surface ? shader_.surface_line() | Trace::surface_flag : 0;
+        const std::uint32_t line = surface ? shader_.surface_line() | EndWord::line_flag : 0;
         const std::uint32_t place = surface && config_.has_homes() ? shader_.placement_line() : 0;
         const std::uint32_t material = surface ? shader_.material_line() : 0;
         const auto passes = std::uint32_t(shader_.run());
         const Shader::Texture* texture = shader_.texture();
         constexpr std::size_t most = 6;   // words after a ray
         if (scratch.words.size() < at + most) scratch.words.resize(2 * scratch.words.size() + most);
-        if (place != 0) scratch.words[at++] = place | Trace::place_flag;
-        if (material != 0) scratch.words[at++] = material | Trace::place_flag;
+        if (place != 0) scratch.words[at++] = place | EndWord::place_flag;
+        if (material != 0) scratch.words[at++] = material | EndWord::place_flag;
         if (texture) {
-            scratch.words[at++] = texture->request.record | Trace::record_flag;
+            scratch.words[at++] = texture->request.record | EndWord::record_flag;
             scratch.words[at++] = texture->place.line;
         }
-        scratch.words[at++] = line | (texture ? Trace::texture_flag : 0) |
-                              (texture && texture->is_cutout ? Trace::cutout_flag : 0) |
-                              (shader_.is_finished() ? Trace::pixel_flag : purpose_word(shader_));
+        scratch.words[at++] = line | (texture ? EndWord::texture_flag : 0) |
+                              (texture && texture->is_cutout ? EndWord::cutout_flag : 0) |
+                              (shader_.is_finished() ? EndWord::pixel_flag : purpose_word(shader_));
         scratch.words[at++] = passes;
         spawn = shader_.spawn();
     } while (!shader_.is_finished());

@@ -1,14 +1,14 @@
 #pragma once
 // The recorder for a chip that shades.
-#include "model/unit/shade/shader.hpp"
 #include "model/trace/record.hpp"
 #include "model/trace/trace.hpp"
+#include "model/unit/shade/shader.hpp"
 
 namespace rayclock {
 
 /// Returns the purpose of the next ray, as the word after a ray holds it.
 inline std::uint32_t purpose_word(const Shader& shader) {
-    return std::uint32_t(shader.purpose()) << Trace::purpose_shift;
+    return std::uint32_t(shader.purpose()) << EndWord::purpose_shift;
 }
 
 /// Records frames with shading: one block of pixels, all rays of each. record_block() does this for camera

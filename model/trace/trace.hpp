@@ -8,9 +8,10 @@
 #include <thread>
 #include <vector>
 
-#include "model/layout/memory_image.hpp"
 #include "model/base/progress.hpp"
+#include "model/layout/memory_image.hpp"
 #include "model/scene/whitted.hpp"
+#include "model/trace/trace_words.hpp"
 
 namespace rayclock {
 
@@ -26,34 +27,8 @@ public:
 /// valid for every configuration of the same format, node width and leaf size, with any caches, memory,
 /// clock, contexts and pipelines.
 ///
-/// A visit is a word: bits 0..23 the node's line, then the flags below, then the number of groups that trav
-/// drops after it. A word for each triangle follows (bits 0..24 the half line, bit 31 set in the last). The
-/// visit of an instance has its own flags: enters(), a value that no number of groups takes.
-///
-/// If the chip shades, a pixel has many rays in sequence. Two words follow each ray. The first holds the line
-/// of the surface to read (if the flag is set). It also holds a flag for a finished pixel, or the purpose of
-/// the next ray. The second is the number of passes through shade that follow. With instances, a word with
-/// the line of the instance hit comes before these two. If all its primitives share a material, another word
-/// holds the material's line. If the surface has a texture, two more words come next: the lines of its record
-/// (marked) and of its texels. The surface's word then has a flag.
+/// trace_words.hpp describes the words of a pixel.
 struct Trace {
-    static constexpr std::uint32_t tests_flag = 1u << 24;   ///< triangle words follow
-    static constexpr std::uint32_t end_flag = 1u << 25;     ///< the ray is done after this visit
-    static constexpr int dropped_shift = 26;
-    static constexpr std::uint32_t entry_flags = ~0u << dropped_shift;   ///< of an instance's visit
-    static constexpr bool enters(std::uint32_t head) { return head >= entry_flags; }
-    static constexpr std::uint32_t last_flag = 1u << 31;   ///< of a triangle's word
-    /// Marks a word with the line of an instance or of its material.
-    static constexpr std::uint32_t place_flag = 1u << 31;
-    static constexpr std::uint32_t surface_flag = 1u << 24,
-                                   pixel_flag = 1u << 25,    ///< of the word after a ray
-        texture_flag = 1u << 28,                             ///< in the same word: a texture is read
-        cutout_flag = 1u << 29;                              ///< in the same word: it belongs to a cut-out
-    static constexpr std::uint32_t record_flag = 1u << 30;   ///< marks the word of a texture record
-    static constexpr int purpose_shift = 26;                 ///< in the same word: RayPurpose of the next ray
-    static constexpr std::uint32_t node_mask = (1u << max_addr_bits) - 1,
-                                   prim_mask = (2u << max_addr_bits) - 1;
-
     std::uint32_t width = 0, height = 0;      ///< as in Frame, also for a stream
     std::uint32_t first_mesh_line = ~0u;      ///< of the lower engine's nodes, if there are two engines
     std::vector<const std::uint32_t*> rays;   ///< [y * width + x], or [ray]: into chunks

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "model/engine/bvh/box.hpp"
-#include "model/unit/trav/stack.hpp"
 #include "model/unit/list/ray_tests.hpp"
+#include "model/unit/trav/stack.hpp"
 
 namespace rayclock {
 

@@ -1,10 +1,10 @@
 #pragma once
 // One ray's walk by the units' pure functions.
-#include "model/trace/tree_walk.hpp"
-#include "model/unit/isect/any.hpp"
-#include "model/unit/isect/primitive.hpp"
 #include "model/trace/decoder.hpp"
 #include "model/trace/inside.hpp"
+#include "model/trace/tree_walk.hpp"
+#include "model/unit/isect/primitive.hpp"
+#include "model/unit/isect/test_primitive.hpp"
 
 namespace rayclock {
 
@@ -62,9 +62,9 @@ struct UnitPolicy {
     void test(std::uint32_t half_line) {
         tri.ray = ray.ray;
         if (config.has_homes())
-            any_test(inside.moved, primitive(half_line), hit.best(), config, tri);
+            test_primitive(inside.moved, primitive(half_line), hit.best(), config, tri);
         else if (config.shading)
-            any_test(ray, decoder.prim(half_line), hit.best(), config, tri);
+            test_primitive(ray, decoder.prim(half_line), hit.best(), config, tri);
         else if (config.has_instances())
             primitive_test(o(), d(), primitive(half_line), hit.best(), config, tri);
         else
@@ -98,8 +98,10 @@ public:
     bool has_leaves() const { return has_leaves_; }   ///< result of test_node()
     /// Returns that node's children that the ray meets, one bit each.
     std::uint32_t met() const { return steps_.hits(); }
-    BoxRsp boxes() const { return box_answer(ray().ray, steps_.hits(), steps_.t_near(), steps_.node()); }
-    Leaves leaves() const { return leaves_of(boxes()); }   ///< that trav sent to list
+    NodeAnswer node_answer() const {
+        return rayclock::node_answer(ray().ray, steps_.hits(), steps_.t_near(), steps_.node());
+    }
+    Leaves leaves() const { return leaves_of(node_answer()); }   ///< that trav sent to list
     std::uint32_t prim() const { return steps_.prim(); }
     /// Performs tri on the next triangle, and list on its answer.
     const TriRsp& test_triangle() {

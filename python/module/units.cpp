@@ -11,7 +11,7 @@
 #include "python/module/bindings.hpp"
 #include "python/module/payload_rows.hpp"
 #include "python/module/work.hpp"
-#include "sim/files/process/threads.hpp"
+#include "sim/files/process/parallel.hpp"
 
 namespace rayclock::python {
 
@@ -26,7 +26,7 @@ void answer_rows(const char* requests, char* responses, std::size_t count, const
                  const Progress& stop) {
     const Rows<Request> in(config);
     const Rows<Response> out(config);
-    jobs::for_each((count + block - 1) / block, threads, [&](std::size_t b) {
+    parallel::for_each((count + block - 1) / block, threads, [&](std::size_t b) {
         stop("unit", b * block, count);
         Request request;
         for (std::size_t i = b * block; i < std::min(count, (b + 1) * block); ++i) {
@@ -99,7 +99,8 @@ constexpr UnitRow row(Unit unit) {
 }
 
 constexpr UnitRow units[] = {row<TriReq, TriRsp, tri>(Unit::tri), row<XformReq, Change, xform>(Unit::xform),
-#define RAYCLOCK_ROW(with, structure, unit, Engine) row<Engine::Request, BoxRsp, Engine::answer>(Unit::unit),
+#define RAYCLOCK_ROW(with, structure, unit, Engine) \
+    row<Engine::Request, NodeAnswer, Engine::answer>(Unit::unit),
                              RAYCLOCK_ENGINES(RAYCLOCK_ROW, )
 #undef RAYCLOCK_ROW
 };

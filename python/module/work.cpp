@@ -18,7 +18,7 @@ namespace {
 
 using namespace std::chrono_literals;
 constexpr auto between_looks = 50ms;   // for signals, which only Python's main thread may handle
-constexpr int most_looks = 10;         // after a signal
+constexpr int max_looks = 10;          // after a signal
 
 /// A call, which its thread and its caller share.
 struct Call {
@@ -56,7 +56,7 @@ bool wait(Call& call) {
     int looks = 0;   // since the signal
     while (!call.ended.wait_for(lock, between_looks, [&] { return call.has_ended; })) {
         if (looks > 0) {
-            if (++looks > most_looks) {
+            if (++looks > max_looks) {
                 call.is_alone = true;
                 ++alone;
                 return true;

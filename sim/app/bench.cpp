@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include "model/base/stopwatch.hpp"
-#include "sim/judge/reference/reference.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
+#include "sim/files/process/stopping.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/run/rtl/builder.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/run/rtl/builder.hpp"
-#include "sim/files/process/stopping.hpp"
 
 namespace rayclock {
 

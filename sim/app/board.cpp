@@ -99,8 +99,8 @@ int load_scene_on_board(const BoardOptions& o) {
 }
 
 int run_loaded(const BoardOptions& o) {
-    if (o.frames.frames < 1 || o.frames.frames > most_frames)
-        throw UserError(fmt::format("--frames: {} is not from 1 to {}", o.frames.frames, most_frames));
+    if (o.frames.frames < 1 || o.frames.frames > max_frames)
+        throw UserError(fmt::format("--frames: {} is not from 1 to {}", o.frames.frames, max_frames));
     LoadedBoard board(o);
     constexpr LinkTime longest{60'000'000};   // the frame's length is unknown
     Table table({"frame", "cycles", "until the last pixel is in memory", "frames/s", "underruns"});

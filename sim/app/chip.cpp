@@ -5,23 +5,23 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "model/compile/surfaces.hpp"
 #include "model/base/error.hpp"
 #include "model/base/interrupted.hpp"
 #include "model/base/nearest.hpp"
 #include "model/board/sdram_parts.hpp"
+#include "model/compile/surfaces.hpp"
 #include "sim/app/options/commands.hpp"
-#include "sim/app/run/clock.hpp"
-#include "sim/app/parts/methods.hpp"
 #include "sim/app/options/options.hpp"
+#include "sim/app/parts/methods.hpp"
+#include "sim/app/run/clock.hpp"
+#include "sim/run/frame/frame.hpp"
+#include "sim/run/rtl/builder.hpp"
+#include "sim/silicon/chip/chip_report.hpp"
 #include "sim/silicon/chip/estimate.hpp"
 #include "sim/silicon/chip/picture.hpp"
-#include "sim/silicon/chip/report.hpp"
-#include "sim/run/frame/frame.hpp"
 #include "sim/view/report/accounts.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/run/rtl/builder.hpp"
 
 namespace rayclock {
 
@@ -207,7 +207,7 @@ int print_chips(const ChipOptions& o, const ChipRequest& asked, const std::vecto
                : 1;
 }
 
-int print_estimate(const ChipOptions& o, const chip::Request& request, jobs::Cache& cache,
+int print_estimate(const ChipOptions& o, const chip::Request& request, results::Cache& cache,
                    const Progress& progress) {
     const chip::Estimate estimate = chip::estimate(request, cache, progress);
     if (!o.json.is_alone()) fmt::print("{}", chip::text(estimate, request));
@@ -242,7 +242,7 @@ int run_chip(const ChipOptions& o) {
         if (o.sdram) asked.config.board_sdram = sdram_part(*o.sdram).name;
     }
     const OutputFolder folder(o.output);
-    jobs::Cache cache(rtl_cache() / "chip", o.fresh);
+    results::Cache cache(rtl_cache() / "chip", o.fresh);
     if (o.fast) return print_estimate(o, {asked.config, "chip", device, seeds, of_chip}, cache, progress);
     std::vector<chip::Result> all;
     for (const std::string& top : tops)

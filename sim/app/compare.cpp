@@ -7,9 +7,9 @@
 #include "sim/app/options/command_line.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
-#include "sim/view/compare/compare.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/streams.hpp"
+#include "sim/view/compare/compare.hpp"
 #include "sim/view/page/frame.hpp"
 
 namespace rayclock {

@@ -4,19 +4,19 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
-#include "sim/app/run/clock.hpp"
 #include "sim/app/options/command_line.hpp"
 #include "sim/app/options/commands.hpp"
-#include "sim/app/run/explain_run.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/app/parts/stream_commands.hpp"
-#include "sim/view/explain/page.hpp"
+#include "sim/app/run/clock.hpp"
+#include "sim/app/run/explain_run.hpp"
 #include "sim/files/output.hpp"
+#include "sim/files/process/stopping.hpp"
 #include "sim/files/streams.hpp"
+#include "sim/view/explain/explain_page.hpp"
+#include "sim/view/page/frame.hpp"
 #include "sim/view/report/tables.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/view/page/frame.hpp"
-#include "sim/files/process/stopping.hpp"
 
 namespace rayclock {
 

@@ -4,13 +4,13 @@
 #include "model/base/quote.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
-#include "sim/silicon/export/export.hpp"
 #include "sim/files/folder.hpp"
+#include "sim/files/process/stopping.hpp"
+#include "sim/silicon/export/export.hpp"
 #include "sim/study/typed.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/tables.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/files/process/stopping.hpp"
 
 namespace rayclock {
 

@@ -9,14 +9,14 @@
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
 #include "sim/app/options/commands.hpp"
-#include "sim/app/parts/fit_device.hpp"
 #include "sim/app/options/options.hpp"
+#include "sim/app/parts/fit_device.hpp"
 #include "sim/explore/fit/dominant.hpp"
-#include "sim/explore/fit/report.hpp"
+#include "sim/explore/fit/fit_report.hpp"
+#include "sim/files/process/stopping.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/tables.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/files/process/stopping.hpp"
 
 namespace rayclock {
 

@@ -4,11 +4,11 @@
 #include "model/scene/builtin.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
+#include "sim/files/process/interrupt.hpp"
+#include "sim/run/rtl/builder.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/tables.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/run/rtl/builder.hpp"
-#include "sim/files/process/interrupt.hpp"
 
 namespace rayclock {
 

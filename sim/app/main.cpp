@@ -12,8 +12,8 @@
 #include <string_view>
 #include <system_error>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "model/base/error.hpp"
 #include "model/base/interrupted.hpp"
@@ -21,10 +21,10 @@
 #include "sim/app/options/command_line.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/manual.hpp"
+#include "sim/files/process/interrupt.hpp"
 #include "sim/files/scratch.hpp"
 #include "sim/files/streams.hpp"
 #include "sim/view/report/builds.hpp"
-#include "sim/files/process/interrupt.hpp"
 
 namespace {
 

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "sim/app/options/commands.hpp"
-#include "sim/app/run/sweep_run.hpp"
 #include "sim/app/parts/sweep_outputs.hpp"
+#include "sim/app/run/sweep_run.hpp"
 
 namespace rayclock {
 

@@ -6,26 +6,26 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
-#include "sim/app/run/clock.hpp"
 #include "sim/app/options/command_line.hpp"
 #include "sim/app/options/commands.hpp"
-#include "sim/app/run/pixel_findings.hpp"
-#include "sim/app/run/film_strip.hpp"
 #include "sim/app/options/options.hpp"
+#include "sim/app/parts/stream_commands.hpp"
+#include "sim/app/run/clock.hpp"
+#include "sim/app/run/film_strip.hpp"
 #include "sim/app/run/picture_folder.hpp"
+#include "sim/app/run/pixel_findings.hpp"
 #include "sim/app/run/sample_run.hpp"
 #include "sim/app/run/simulate_run.hpp"
-#include "sim/app/parts/stream_commands.hpp"
+#include "sim/files/output.hpp"
+#include "sim/files/process/stopping.hpp"
 #include "sim/judge/cause/finished.hpp"
 #include "sim/run/film/choice.hpp"
-#include "sim/files/output.hpp"
 #include "sim/view/observe/replay.hpp"
+#include "sim/view/page/frame.hpp"
+#include "sim/view/page/run_page.hpp"
 #include "sim/view/report/sampled.hpp"
 #include "sim/view/report/tables.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/view/page/frame.hpp"
-#include "sim/view/page/page.hpp"
-#include "sim/files/process/stopping.hpp"
 
 namespace rayclock {
 
@@ -136,7 +136,7 @@ using Texts = std::vector<std::pair<std::uint32_t, std::string>>;
 Texts explain_slowest(const SimulateInput& work, const SimulateResult& s, const FrameCosts& costs,
                       Traffic traffic, const Progress& progress) {
     // One pixel of a finished picture may have thousands of rays.
-    constexpr std::size_t most_bytes = 4 << 20;
+    constexpr std::size_t max_bytes = 4 << 20;
     const Config& config = work.request().config;
     const int khz = s.runs[0].khz;
     const std::vector<std::uint32_t> pixels = slowest_pixels(costs, 100);
@@ -145,7 +145,7 @@ Texts explain_slowest(const SimulateInput& work, const SimulateResult& s, const 
     Texts texts;
     std::size_t bytes = 0;
     for (const std::uint32_t pixel : pixels) {
-        if (interrupted() || bytes > most_bytes) break;
+        if (interrupted() || bytes > max_bytes) break;
         if (progress) progress("explaining", texts.size(), pixels.size());
         PixelEvents alone{0};
         observe_alone(config, khz, s.traces.back(), pixel, &alone);

@@ -13,19 +13,19 @@
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/app/parts/stream_commands.hpp"
+#include "sim/explore/stress/stress_report.hpp"
 #include "sim/explore/torture/streamed.hpp"
+#include "sim/files/image/image.hpp"
 #include "sim/files/input.hpp"
+#include "sim/files/process/parallel.hpp"
 #include "sim/files/process/stopping.hpp"
-#include "sim/files/process/threads.hpp"
 #include "sim/run/frame/frame.hpp"
 #include "sim/run/rtl/builder.hpp"
-#include "sim/files/image/image.hpp"
 #include "sim/study/hard_cases.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/lockstep.hpp"
 #include "sim/view/report/tables.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/explore/stress/report.hpp"
 
 namespace rayclock {
 
@@ -145,13 +145,13 @@ int stress_stream(const StressOptions& o) {
     const std::unique_ptr<const StreamInput> input = stream_input(o.scene, o.stream, stop);
     const std::vector<StreamChip> chips =
         random_stream_chips(*input, o.seed, o.chips.value_or(StressOptions::default_chips), stop);
-    jobs::for_each(chips.size(), o.threads, [&](std::size_t i) { build_rtl(chips[i].config); });
+    parallel::for_each(chips.size(), o.threads, [&](std::size_t i) { build_rtl(chips[i].config); });
     if (!o.json.is_alone())
         fmt::print("{}: {}; {}: {} rays\n", input->scene().name, primitives_text(input->scene()),
                    printable(input->rays().name()), grouped(input->rays().size()));
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     std::size_t failed = 0;
-    jobs::in_order(
+    parallel::in_order(
         o.threads, [&](std::size_t i) { return i < chips.size() && !interrupted(); },
         [&](std::size_t i) {
             try {

@@ -6,14 +6,14 @@
 #include "model/base/quote.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/parts/stream_commands.hpp"
+#include "sim/app/parts/sweep_outputs.hpp"
 #include "sim/app/run/sample_run.hpp"
 #include "sim/app/run/sweep_run.hpp"
-#include "sim/app/parts/sweep_outputs.hpp"
-#include "sim/files/image/image.hpp"
-#include "sim/view/report/text.hpp"
-#include "sim/files/process/stopping.hpp"
 #include "sim/explore/sweep/cost.hpp"
 #include "sim/explore/sweep/shard.hpp"
+#include "sim/files/image/image.hpp"
+#include "sim/files/process/stopping.hpp"
+#include "sim/view/report/text.hpp"
 
 namespace rayclock {
 

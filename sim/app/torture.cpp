@@ -6,12 +6,12 @@
 #include "model/base/stopwatch.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
-#include "sim/files/process/threads.hpp"
+#include "sim/explore/torture/torture.hpp"
+#include "sim/files/process/parallel.hpp"
+#include "sim/run/rtl/builder.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/lockstep.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/run/rtl/builder.hpp"
-#include "sim/explore/torture/torture.hpp"
 
 namespace rayclock {
 
@@ -41,13 +41,13 @@ int run_torture_set(const JsonOutput& json) {
     const Stopwatch watch;
     const Progress progress = terminal_progress();
     const std::vector<std::string>& chips = torture_chips();
-    jobs::for_each(chips.size(), 0, [&](std::size_t i) { build_rtl(torture_chip(chips[i])); });
+    parallel::for_each(chips.size(), 0, [&](std::size_t i) { build_rtl(torture_chip(chips[i])); });
     std::vector<TortureCase> all;
     for (const std::string& chip : chips)
         for (TortureCase& torture : torture_cases(chip)) all.push_back(std::move(torture));
     nlohmann::ordered_json cases = nlohmann::ordered_json::array();
     std::uint64_t frames = 0, transfers = 0, failed = 0;
-    jobs::in_order(
+    parallel::in_order(
         0, [&](std::size_t i) { return i < all.size() && !interrupted(); },
         [&](std::size_t i) {
             return Made{&all[i], run_torture(all[i])};

@@ -6,14 +6,14 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/split.hpp"
-#include "sim/app/run/clock.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
+#include "sim/app/run/clock.hpp"
+#include "sim/files/process/stopping.hpp"
 #include "sim/run/frame/frame.hpp"
 #include "sim/view/observe/replay.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/files/process/stopping.hpp"
 #include "sim/view/timeline/timeline.hpp"
 
 namespace rayclock {

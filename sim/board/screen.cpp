@@ -11,7 +11,7 @@ namespace rayclock {
 
 namespace {
 
-constexpr std::size_t most_errors = 20;
+constexpr std::size_t max_errors = 20;
 constexpr std::array<const char*, 3> channel_names{"blue", "green", "red"};
 
 /// The control symbols, by their two control bits (DVI 1.0, section 3.3.3), bit 0 sent first.
@@ -33,7 +33,7 @@ Screen::Screen(const ScreenMode& mode) : mode_(mode) {
 }
 
 void Screen::error(const std::string& sentence) {
-    if (errors_.size() < most_errors) errors_.push_back(sentence);
+    if (errors_.size() < max_errors) errors_.push_back(sentence);
 }
 
 std::string Screen::place() const {
@@ -161,7 +161,7 @@ void TmdsReceiver::bit(std::size_t channel, bool bit) {
     std::uint32_t& controls = c.controls[phase];
     controls = control_of(c.window) ? controls + 1 : 0;
     if (controls >= symbols_to_align && c.phase != phase) {
-        if (c.phase && errors_.size() < most_errors)
+        if (c.phase && errors_.size() < max_errors)
             errors_.push_back(
                 fmt::format("Bit {}: the {} channel has lost its alignment.", bits_, channel_names[channel]));
         c.phase = phase;
@@ -171,7 +171,7 @@ void TmdsReceiver::bit(std::size_t channel, bool bit) {
 
 void TmdsReceiver::clock_bit(bool bit) {
     if (bit && !clock_level_) {
-        if (clock_rose_ && bits_ - *clock_rose_ != bits_of_symbol && errors_.size() < most_errors)
+        if (clock_rose_ && bits_ - *clock_rose_ != bits_of_symbol && errors_.size() < max_errors)
             errors_.push_back(fmt::format("Bit {}: the clock has a period of {} bits, not {}.", bits_,
                                           bits_ - *clock_rose_, bits_of_symbol));
         clock_rose_ = bits_;

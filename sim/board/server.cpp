@@ -9,9 +9,9 @@ namespace rayclock {
 
 void serve(SimulatedBoard& board, PseudoTerminal& terminal, const std::function<bool()>& ends,
            ServeLimits limits) {
-    constexpr LinkTime slice{20};             // of the board: about 1,500 cycles
-    constexpr LinkTime nap{50'000};           // of the host
-    constexpr std::size_t most_queued = 64;   // the rest waits in the terminal, as in a port's driver
+    constexpr LinkTime slice{20};            // of the board: about 1,500 cycles
+    constexpr LinkTime nap{50'000};          // of the host
+    constexpr std::size_t max_queued = 64;   // the rest waits in the terminal, as in a port's driver
     const bool stands_still = limits.last_cycle == ServeLimits{}.last_cycle;
     std::array<std::uint8_t, 256> in, arrived;
     std::vector<std::uint8_t> out;
@@ -22,7 +22,7 @@ void serve(SimulatedBoard& board, PseudoTerminal& terminal, const std::function<
             out.clear();
         }
         std::deque<std::uint8_t>& queue = board.from_host().bytes;
-        const std::size_t got = queue.size() < most_queued ? terminal.read(in) : 0;
+        const std::size_t got = queue.size() < max_queued ? terminal.read(in) : 0;
         if (terminal.was_flushed()) {
             // Zeros complete a packet that the last program did not finish, so that the board drops it now.
             // Otherwise the board would take the next hello for the rest of this packet. Its timeout of 20 ms

@@ -81,8 +81,8 @@ private:
         return true;
     }
     bool open(Json::value_t type) {
-        if (open_.size() == most_nested)
-            refuse(fmt::format("objects and arrays are nested deeper than {}", most_nested));
+        if (open_.size() == max_nested)
+            refuse(fmt::format("objects and arrays are nested deeper than {}", max_nested));
         Json& here = place();
         here = Json(type);
         open_.push_back(&here);

@@ -18,11 +18,11 @@ using Json = nlohmann::json;
 
 /// The deepest nesting of objects and arrays that parse_json() accepts: much of the code that walks a
 /// document is recursive.
-constexpr std::size_t most_nested = 200;
+constexpr std::size_t max_nested = 200;
 
 /// Parses a document. Throws UserError with line and column for wrong syntax and for numbers that a double
 /// cannot hold. Throws UserError for a key that appears twice in one object (the message names the key) and
-/// for nesting deeper than `most_nested`.
+/// for nesting deeper than `max_nested`.
 Json parse_json(const std::string& file, std::string_view text);
 
 /// A reference to a value in a document. All accessors throw UserError if the value has another type or

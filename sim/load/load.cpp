@@ -7,13 +7,13 @@
 #include "model/base/error.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/scene/folded.hpp"
-#include "sim/files/input.hpp"
 #include "sim/files/image/average.hpp"
+#include "sim/files/input.hpp"
+#include "sim/files/text.hpp"
 #include "sim/load/json/scene.hpp"
 #include "sim/load/lights.hpp"
 #include "sim/load/mesh/mesh_file.hpp"
 #include "sim/load/textures.hpp"
-#include "sim/files/text.hpp"
 
 namespace rayclock {
 namespace {
@@ -68,8 +68,7 @@ Scene load_scene(const std::string& spec, const Progress& progress, Primitives p
         JsonLoad load = load_anything(spec, primitives, loading);
         settle_textures(load.scene, printable(spec), loading);
         if (notes) *notes = loading.notes();
-        if (primitive_count(load.scene) > most_unfolded)
-            return folded_scene(std::move(load), printable(spec));
+        if (primitive_count(load.scene) > max_unfolded) return folded_scene(std::move(load), printable(spec));
         Scene scene = flattened(std::move(load.scene));
         check_scene(scene, printable(spec));
         if (!load.has_lights) add_missing_lights(scene);

@@ -253,17 +253,17 @@ static_assert(Wrap::repeat < Wrap::mirror && Wrap::mirror < Wrap::clamp);
 std::string coordinate_fault(const Texture& texture, const CornerCoordinates& corners) {
     for (const glm::dvec2& corner : corners)
         for (const double x : {corner.x, corner.y})
-            if (!(std::abs(x) <= most_given_coordinate))
+            if (!(std::abs(x) <= max_given_coordinate))
                 return fmt::format(
                     "has the texture coordinate {0}, which must lie within -{1:.0f} and {1:.0f}", text_of(x),
-                    most_given_coordinate);
+                    max_given_coordinate);
     for (const glm::dvec2& corner : near_zero(texture, corners))
         for (const double x : {corner.x, corner.y})
-            if (!(std::abs(x) <= most_coordinate))
+            if (!(std::abs(x) <= max_coordinate))
                 return fmt::format(
                     "has texture coordinates that lie {} from the middle of the picture's period; the most "
                     "is {}",
-                    text_of(std::abs(x)), most_coordinate);
+                    text_of(std::abs(x)), max_coordinate);
     return {};
 }
 
@@ -275,7 +275,7 @@ std::shared_ptr<const Pyramid> read_pyramid(const std::string& bytes, const std:
     const std::uint64_t texels = std::uint64_t(texture_side(width)) * std::uint64_t(texture_side(height));
     if (!loading.may_make(2 * texels * sizeof(picture->texels[0])))
         throw UserError(printable(file) + ": " + name + " " + loading.too_much());
-    if (width > most_texture_side || height > most_texture_side)
+    if (width > max_texture_side || height > max_texture_side)
         loading.note(file, fmt::format("{} has {} x {} texels, drawn with {} x {}", name, width, height,
                                        texture_side(width), texture_side(height)));
     return std::make_shared<const Pyramid>(make_pyramid(resampled(*picture)));

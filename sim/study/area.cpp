@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "model/scene/builtin.hpp"
-#include "sim/view/report/text.hpp"
 #include "sim/run/request/request.hpp"
 #include "sim/silicon/chip/device.hpp"
 #include "sim/silicon/synth/yosys.hpp"
+#include "sim/view/report/text.hpp"
 
 namespace rayclock::area {
 

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
-#include "sim/view/report/text.hpp"
-#include "sim/explore/stress/report.hpp"
 #include "sim/explore/stress/sketch.hpp"
+#include "sim/explore/stress/stress_report.hpp"
+#include "sim/view/report/text.hpp"
 
 namespace rayclock::stress {
 

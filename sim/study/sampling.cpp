@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/files/process/parallel.hpp"
 #include "sim/files/process/stopping.hpp"
-#include "sim/files/process/threads.hpp"
 #include "sim/files/table.hpp"
 #include "sim/run/sample/sample.hpp"
 #include "sim/view/report/sampled.hpp"
@@ -50,7 +50,7 @@ FrameRows measure_frame(const Study& study, const FrameSpec& spec, std::size_t n
     const std::vector<SampledFigure> figures = sampled_figures(job.config, study.khz);
     std::vector<Seed> seeds(std::size_t(study.seeds));
     std::atomic<std::size_t> done = 0;
-    jobs::for_each(seeds.size(), study.threads, [&](std::size_t s) {
+    parallel::for_each(seeds.size(), study.threads, [&](std::size_t s) {
         stop_if_interrupted();
         const double begin = thread_seconds();
         const sample::Sampled sampled = sample::run(job, {study.khz}, {study.share, s + 1}, {}, 1)[0];

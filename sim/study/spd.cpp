@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "model/compile/surfaces.hpp"
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
-#include "sim/judge/reference/reference.hpp"
+#include "model/compile/surfaces.hpp"
 #include "model/scene/builtin.hpp"
+#include "sim/judge/reference/reference.hpp"
 #include "sim/run/frame/frame.hpp"
 #include "sim/view/report/text.hpp"
 
@@ -22,7 +22,7 @@ namespace {
 
 constexpr FrameSize published_size{513, 513};
 constexpr int depth = 4;   // the eye ray has depth 1 in the published rules, and 5 is the deepest
-constexpr double most_from_table = 0.10, most_between_engines = 0.01;
+constexpr double max_from_table = 0.10, max_between_engines = 0.01;
 
 constexpr std::array<const char*, 4> kind_names{"eye rays that hit", "reflected", "refracted", "shadow"};
 
@@ -141,9 +141,9 @@ std::vector<std::string> published_scenes() {
 }
 
 bool is_good(const Counted& c) {
-    if (largest(c.model, c.reference) > most_between_engines) return false;
-    return !c.published || (largest(c.reference, *c.published) <= most_from_table &&
-                            largest(c.model, *c.published) <= most_from_table);
+    if (largest(c.model, c.reference) > max_between_engines) return false;
+    return !c.published || (largest(c.reference, *c.published) <= max_from_table &&
+                            largest(c.model, *c.published) <= max_from_table);
 }
 
 Counted count(const std::string& name, FrameSize size, int threads, const Progress& progress) {
@@ -193,10 +193,10 @@ std::string page(const std::vector<Counted>& all, FrameSize size, const std::str
             std::max({from_table, largest(c.reference, *c.published), largest(c.model, *c.published)});
     }
     text += fmt::format("\nLargest deviation of the model from the reference: {:.3f} % (allowed: {:.0f} %).",
-                        100 * between, 100 * most_between_engines);
+                        100 * between, 100 * max_between_engines);
     if (has_published)
         text += fmt::format(" Largest of either from the published counts: {:.3f} % (allowed: {:.0f} %).",
-                            100 * from_table, 100 * most_from_table);
+                            100 * from_table, 100 * max_from_table);
     return text + octree_page(all);
 }
 

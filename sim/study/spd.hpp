@@ -9,11 +9,11 @@
 #include <nlohmann/json.hpp>
 
 #include "model/base/progress.hpp"
-#include "sim/judge/reference/octree.hpp"
 #include "model/scene/camera.hpp"
 #include "model/scene/scene.hpp"
 #include "model/scene/whitted.hpp"
 #include "sim/files/table.hpp"
+#include "sim/judge/reference/octree.hpp"
 
 namespace rayclock::spd {
 

@@ -1,6 +1,6 @@
 // Runs the points of a study, from the cache where possible.
-#include "model/core/parameters.hpp"
 #include "sim/study/study.hpp"
+#include "model/core/parameters.hpp"
 
 #include <algorithm>
 #include <map>

@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
-#include "model/base/interrupted.hpp"
 #include "model/base/error.hpp"
-#include "sim/files/image/image.hpp"
-#include "sim/view/report/text.hpp"
-#include "sim/run/request/request.hpp"
+#include "model/base/interrupted.hpp"
 #include "sim/explore/sweep/table.hpp"
+#include "sim/files/image/image.hpp"
+#include "sim/run/request/request.hpp"
 #include "sim/silicon/synth/yosys.hpp"
+#include "sim/view/report/text.hpp"
 
 namespace rayclock::sweep {
 
@@ -287,7 +287,7 @@ void check_tradeoff_paths(const std::string& path, const std::vector<std::string
 }
 
 void write_tradeoff(const std::string& path, const Tradeoff& what, const std::string& command,
-                    jobs::Cache& cache, const Progress& progress) {
+                    results::Cache& cache, const Progress& progress) {
     const Study study = make_study(khz);
     std::vector<SceneStudy> scenes;
     for (const std::string& name : what.scenes) {

@@ -24,6 +24,6 @@ void check_tradeoff_paths(const std::string& path, const std::vector<std::string
 /// Runs the study on every scene, and writes the page with its plots next to it. `command` is the command
 /// that makes it. Throws UserError if a scene or a file fails, and Interrupted after Ctrl-C.
 void write_tradeoff(const std::string& path, const Tradeoff& what, const std::string& command,
-                    jobs::Cache& cache, const Progress& progress);
+                    results::Cache& cache, const Progress& progress);
 
 }   // namespace rayclock::sweep

@@ -4,13 +4,13 @@
 
 #include <fmt/format.h>
 
-#include "model/base/interrupted.hpp"
 #include "model/base/error.hpp"
-#include "sim/run/frame/frame.hpp"
+#include "model/base/interrupted.hpp"
 #include "sim/run/film/film.hpp"
+#include "sim/run/frame/frame.hpp"
+#include "sim/run/request/request.hpp"
 #include "sim/view/report/accounts.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/run/request/request.hpp"
 
 namespace rayclock {
 

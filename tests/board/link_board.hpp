@@ -286,10 +286,10 @@ public:
     }
 
     /// One random operation. Returns false if it found an error.
-    bool act(int most_lines) {
+    bool act(int max_lines) {
         const int what = rng_.below(16);
         const std::uint32_t number = std::uint32_t(rng_.below(LinkBoard::registers));
-        const std::size_t count = std::size_t(1 + rng_.below(most_lines));
+        const std::size_t count = std::size_t(1 + rng_.below(max_lines));
         const std::uint32_t first = std::uint32_t(rng_.below(int(LinkBoard::lines - count)));
         if (what < 7) {
             chip_[number] = std::uint32_t(rng_.next());

@@ -47,7 +47,7 @@ LinkAnswer answer_to(ByteBoard& board, const LinkCommand& command) {
 }
 
 /// Random operations over wires with faults, until so many different packets were sent.
-void abuse(int seed, std::uint64_t packets, int chance, int most_lines, int pace) {
+void abuse(int seed, std::uint64_t packets, int chance, int max_lines, int pace) {
     INFO("seed " << seed << ", " << chance << " faults of each kind in a million bytes");
     LinkSettings settings = ByteBoard::settings();
     settings.window = 1 + seed % link_history;
@@ -56,7 +56,7 @@ void abuse(int seed, std::uint64_t packets, int chance, int most_lines, int pace
     bench.board.pace = pace;
     bench.board.memory_pause = 1 + seed % 6;
     bench.board.to_board_faults = bench.board.to_host_faults = Faults::all(chance);
-    while (bench.link.counts().packets < packets) REQUIRE(bench.twin.act(most_lines));
+    while (bench.link.counts().packets < packets) REQUIRE(bench.twin.act(max_lines));
     bench.board.to_board_faults = bench.board.to_host_faults = {};
     CHECK(bench.twin.agrees());
     std::vector<MemoryLine> all(LinkBoard::lines);
@@ -330,8 +330,8 @@ TEST_CASE("nothing is lost, doubled or wrong in a million packets", "[faults][sl
     // Many faults with small packets, few with large ones: else hardly any packet arrives.
     const std::pair<int, int> chance_and_lines[] = {{30, 30}, {100, 8}, {500, 3}, {2000, 1}};
     for (int seed = 0; seed < 40; ++seed) {
-        const auto [chance, most_lines] = chance_and_lines[seed % 4];
-        abuse(100 + seed, 25'000, chance, most_lines, 1 + seed % 3 / 2);
+        const auto [chance, max_lines] = chance_and_lines[seed % 4];
+        abuse(100 + seed, 25'000, chance, max_lines, 1 + seed % 3 / 2);
     }
 }
 

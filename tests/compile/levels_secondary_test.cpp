@@ -8,7 +8,7 @@
 #include "model/compile/levels/levels.hpp"
 #include "model/engine/check.hpp"
 #include "model/base/error.hpp"
-#include "model/unit/isect/any.hpp"
+#include "model/unit/isect/test_primitive.hpp"
 #include "sim/judge/oracle/visibility.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "model/unit/shade/bounce.hpp"
@@ -87,10 +87,10 @@ public:
             for (PrimData prim : meshes_[i]) {
                 TriRsp tri;
                 prim.prim += in.first;
-                any_test(moved, prim, {}, config_, tri);
+                test_primitive(moved, prim, {}, config_, tri);
                 if (tri.closer && tri.det > 0)
                     outside += !is_in_box(i, ray, double(tri.num) / double(tri.det));
-                any_test(moved, prim, best.best(), config_, tri);
+                test_primitive(moved, prim, best.best(), config_, tri);
                 best.take(tri, in.here);
                 if (best.stop()) return best.closest();
             }

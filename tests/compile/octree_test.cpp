@@ -45,7 +45,7 @@ public:
     void count(const Cell& cell, const LatticeBox& box, std::uint32_t axis, int depth) {
         if (cell.is_leaf()) {
             leaf(cell);
-            crowded += axis == 0 && cell.prims.size() > leaf_size_ && depth < octree::most_depth;
+            crowded += axis == 0 && cell.prims.size() > leaf_size_ && depth < octree::max_depth;
             return;
         }
         if (cell.axis == no_axis) {   // its own primitives, and its octants

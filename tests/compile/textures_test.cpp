@@ -192,8 +192,8 @@ TEST_CASE("a texture of 4096 x 4096 texels is at the addresses that its hits rea
 TEST_CASE("levels of a texture do not overlap, and end where the texture does", "[textures]") {
     const TexelFormat format = GENERATE(TexelFormat::rgb888, TexelFormat::rgb565);
     const WantedTile tile = wanted_tile(format);
-    for (std::uint32_t log_width = 0; log_width <= most_side_log; ++log_width)
-        for (std::uint32_t log_height = 0; log_height <= most_side_log; ++log_height) {
+    for (std::uint32_t log_width = 0; log_width <= max_side_log; ++log_width)
+        for (std::uint32_t log_height = 0; log_height <= max_side_log; ++log_height) {
             TexRecord record;
             record.log_width = log_width, record.log_height = log_height;
             record.last_level = std::max(log_width, log_height);
@@ -264,7 +264,7 @@ TEST_CASE("a record holds the nearest numbers to a triangle's coordinates and de
             draw);
     // Coordinates at the ends, and areas of 0.
     for (std::size_t k = 0; k < 3; ++k) {
-        scene.coordinates[0][k] = {-most_coordinate, most_coordinate};
+        scene.coordinates[0][k] = {-max_coordinate, max_coordinate};
         scene.vertices[3 + k] = scene.vertices[3];
     }
     Lattice lattice;

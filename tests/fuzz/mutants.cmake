@@ -34,7 +34,7 @@ fuzz_mutant(config_value_above_its_range FILE model/core/check.cpp TARGET config
 fuzz_mutant(state_of_other_rays FILE sim/explore/stress/state.cpp TARGET state RUNS 100000
   OLD [[if (c.rays != rays)]]
   NEW [[if (c.rays > 2 * rays)]])
-fuzz_mutant(options_clock_of_any_rate FILE sim/app/options/values.cpp TARGET options RUNS 100000
+fuzz_mutant(options_clock_of_any_rate FILE sim/app/run/typed_values.cpp TARGET options RUNS 100000
   OLD [[ || mhz > 100000)]]
   NEW [[)]])
 fuzz_mutant(rays_one_beyond FILE sim/load/rays/rays.cpp TARGET rays RUNS 100000

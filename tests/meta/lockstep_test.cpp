@@ -143,7 +143,7 @@ TEST_CASE("lockstep names the pixel whose ray is wrong") {
 
 TEST_CASE("lockstep names the first cycle in which the RTL is late") {
     const Job job = small_job();
-    const Event event = first_event<BoxRsp>(job, Link::box_rsp, [](const BoxRsp&) { return true; });
+    const Event event = first_event<NodeAnswer>(job, Link::box_rsp, [](const NodeAnswer&) { return true; });
     const std::string queue =
         "  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (\n    .clk_i, .rst_ni, ";
     const Mutant mutant(

@@ -3,8 +3,8 @@
 
 # ---- Input of any size and any bytes.
 mutant(files_json_of_any_depth FILE sim/files/json_value.cpp TEST load "JSON nested*"
-  OLD [[if (open_.size() == most_nested)]]
-  NEW [[if (open_.size() == 1000 * most_nested)]])
+  OLD [[if (open_.size() == max_nested)]]
+  NEW [[if (open_.size() == 1000 * max_nested)]])
 mutant(files_long_number_is_read FILE sim/files/text.cpp TEST load "a word of ten million*"
   OLD [[if (word.size() > longest_number)]]
   NEW [[if (word.empty())]])

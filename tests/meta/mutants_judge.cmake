@@ -66,34 +66,36 @@ mutant(judge_lights_share_a_colour FILE model/compile/surfaces.cpp TEST simulate
   OLD [[fixed(scene.lights[i].colour[int(k)], share_bits,]]
   NEW [[fixed(0.9 * scene.lights[0].colour[int(k)], share_bits,]])
 
-# ---- Rays and primitives: model/unit/isect/any.cpp.
-mutant(judge_far_half_of_shadow_rays_is_free FILE model/unit/isect/any.cpp TEST simulate "cornell --depth 1"
+# ---- Rays and primitives: model/unit/isect/test_primitive.cpp.
+mutant(judge_far_half_of_shadow_rays_is_free FILE model/unit/isect/test_primitive.cpp TEST simulate
+  "cornell --depth 1"
   OLD [[e.num * (Wide(1) << frac) < e.det;]]
   NEW [[e.num * (Wide(1) << frac) * 2 < e.det;]])
-mutant(judge_plane_rounded_to_zero FILE model/unit/isect/any.cpp TEST simulate "spheres --depth 1"
+mutant(judge_plane_rounded_to_zero FILE model/unit/isect/test_primitive.cpp TEST simulate "spheres --depth 1"
   OLD [[if (scaled < 0 && whole * det != scaled) --whole;]]
   NEW [[;]])
-mutant(judge_sphere_shades_itself FILE model/unit/isect/any.cpp TEST simulate "balls:1 --depth 1"
-  OLD [[if (sphere.prim == ray.self) return seen_inside && ray.inside != 0 && from_outside;]]
+mutant(judge_sphere_shades_itself FILE model/unit/isect/test_primitive.cpp TEST simulate "balls:1 --depth 1"
+  OLD [[if (sphere.prim == ray.self) return seen_inside && ray.is_inside != 0 && from_outside;]]
   NEW [[if (sphere.prim == ray.self) return from_outside;]])
-mutant(judge_sphere_left_is_met_again FILE model/unit/isect/any.cpp TEST simulate "spheres --depth 3"
-  OLD [[    if (own && !ray.inside) return;]]
-  NEW [[    if (own && ray.inside) return;]])
-mutant(judge_sphere_t_rounded_down FILE model/unit/isect/any.cpp TEST simulate "spheres --depth 1"
+mutant(judge_sphere_left_is_met_again FILE model/unit/isect/test_primitive.cpp TEST simulate
+  "spheres --depth 3"
+  OLD [[    if (own && !ray.is_inside) return;]]
+  NEW [[    if (own && ray.is_inside) return;]])
+mutant(judge_sphere_t_rounded_down FILE model/unit/isect/test_primitive.cpp TEST simulate "spheres --depth 1"
   OLD [[return std::uint32_t((num + det - 1) / det);]]
   NEW [[return std::uint32_t(num / det);]])
 
 # ---- Planes beyond the lattice.
-mutant(judge_finite_ray_meets_planes FILE model/unit/isect/any.cpp TEST simulate
+mutant(judge_finite_ray_meets_planes FILE model/unit/isect/test_primitive.cpp TEST simulate
   "scenes/pebble.json --depth 1"
-  OLD [[if (ray.partial && ends_at_any(ray.kind) == (PrimKind(prim.kind) == PrimKind::plane)) return;]]
+  OLD [[if (ray.is_partial && ends_at_any(ray.kind) == (PrimKind(prim.kind) == PrimKind::plane)) return;]]
   NEW [[]])
 mutant(judge_lights_all_in_the_eye_s_cell FILE model/compile/surfaces.cpp TEST simulate
   "scenes/pond.json --depth 2"
   OLD [[if (other) found.cell |= panes[i];]]
   NEW [[]])
 mutant(judge_squares_begin_at_the_corner FILE model/compile/plane.cpp TEST simulate "spheres --depth 1"
-  OLD [[surface.normal[i] = phase < 1 << most_level ? phase : phase - (2 << most_level);]]
+  OLD [[surface.normal[i] = phase < 1 << max_level ? phase : phase - (2 << max_level);]]
   NEW [[surface.normal[i] = 0 * phase;]])
 
 # ---- Two levels.

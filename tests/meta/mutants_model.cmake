@@ -82,8 +82,8 @@ mutant(model_answer_tie_first_come FILE model/unit/isect/edges.hpp WITH tests/sy
 
 # ---- Camera rays and the frame: the ends of widths, the eye, the samples.
 mutant(model_raygen_moves_up_by_fourteen FILE model/unit/raygen/raygen.cpp TEST unit [raygen]
-  OLD [[0, most_shift);]]
-  NEW [[0, most_shift - 1);]])
+  OLD [[0, max_shift);]]
+  NEW [[0, max_shift - 1);]])
 mutant(model_raygen_direction_wraps FILE model/unit/raygen/raygen.cpp TEST unit [raygen]
   OLD [[>> drop), least,
                           most);]]
@@ -115,22 +115,22 @@ mutant(model_origin_boxes_inward FILE model/unit/isect/origin.cpp TEST unit [ori
   NEW [[box.near[k] = below;]])
 
 # ---- Any ray against any primitive: the last bit of a root, and exact contact.
-mutant(model_any_end_of_the_way_blocks FILE model/unit/isect/any.cpp TEST unit [any]~[tri]
+mutant(model_any_end_of_the_way_blocks FILE model/unit/isect/test_primitive.cpp TEST unit [any]~[tri]
   OLD [[e.num * (Wide(1) << frac) < e.det;]]
   NEW [[e.num * (Wide(1) << frac) <= e.det;]])
-mutant(model_sphere_touch_is_no_hit QUICK FILE model/unit/isect/any.cpp TEST unit
+mutant(model_sphere_touch_is_no_hit QUICK FILE model/unit/isect/test_primitive.cpp TEST unit
   "tri is right for every camera ray and sphere*"
   OLD [[m.along >= 0 || m.disc < 0 : m.power < 0]]
   NEW [[m.along >= 0 || m.disc <= 0 : m.power < 0]])
-mutant(model_sphere_far_root_rounded_down FILE model/unit/isect/any.cpp TEST unit
+mutant(model_sphere_far_root_rounded_down FILE model/unit/isect/test_primitive.cpp TEST unit
   "tri of a chip that shades decides exactly and measures within its bound - Model*"
   OLD [[Wide(r.whole + r.rest) << r.shift]]
   NEW [[Wide(r.whole) << r.shift]])
-mutant(model_sphere_light_on_it_is_inside FILE model/unit/isect/any.cpp TEST unit
+mutant(model_sphere_light_on_it_is_inside FILE model/unit/isect/test_primitive.cpp TEST unit
   "tri is right for secondary rays and spheres*"
   OLD [[return end > 0 && (m.power < 0 || m.along < 0);]]
   NEW [[return end > 0;]])
-mutant(model_root_needs_a_bit FILE model/unit/isect/any.cpp TEST unit "the root is rounded down*"
+mutant(model_root_needs_a_bit FILE model/unit/isect/test_primitive.cpp TEST unit "the root is rounded down*"
   OLD [[std::max(bits - 2 * root_bits + 1, 0) / 2;]]
   NEW [[std::max(bits - 2 * root_bits + 2, 0) / 2;]])
 mutant(model_square_root_rounded_up FILE model/unit/shade/square_root.cpp TEST unit [square_root]
@@ -201,5 +201,5 @@ mutant(model_where_forgets_trav FILE model/machine/pipeline.cpp TEST unit [stuck
 ]]
   NEW [[]])
 mutant(model_trace_forgets_turns FILE model/trace/record.inl WITH model/trace/record.cpp TEST unit [trace]
-  OLD [[Trace::entry_flags : dropped << Trace::dropped_shift;]]
-  NEW [[Trace::entry_flags : std::uint32_t(dropped > 0) << Trace::dropped_shift;]])
+  OLD [[VisitWord::entry_flags : dropped << VisitWord::dropped_shift;]]
+  NEW [[VisitWord::entry_flags : std::uint32_t(dropped > 0) << VisitWord::dropped_shift;]])

@@ -40,7 +40,7 @@ mutant(rule_spheres_smaller_than_the_scene_s FILE model/compile/surfaces.cpp TES
   [[        const double square = std::min(std::round(0.999 * radius * 0.999 * radius), std::exp2(2 * coord_bits) - 1);]])
 
 # ---- Where rays come from.
-mutant(rule_rays_leave_a_sphere_four_ticks_too_far FILE model/unit/isect/any.cpp TEST simulate
+mutant(rule_rays_leave_a_sphere_four_ticks_too_far FILE model/unit/isect/test_primitive.cpp TEST simulate
   "spheres --depth 2"
   OLD [[const std::uint32_t t = distance_of(way, units - scale, m.square, config);]]
   NEW [[const std::uint32_t t = 4 + distance_of(way, units - scale, m.square, config);]]
@@ -160,14 +160,14 @@ mutant(rule_hidden_lights_count FILE model/unit/shade/pass.cpp TEST simulate "sp
   OLD2 [[(lit_if_free_ && !answer_.found)]]
   NEW2 [[lit_if_free_]])
 mutant(rule_panes_are_no_borders FILE model/unit/shade/pass.cpp TEST simulate "scenes/pond.json --depth 2"
-  OLD [[s.across = s.cell ^ pane_of(in.surface, c);]]
-  NEW [[s.across = s.cell;]]
+  OLD [[s.across = s.in_cell ^ pane_of(in.surface, c);]]
+  NEW [[s.across = s.in_cell;]]
   FILE2 sim/judge/paths/path_surface.cpp
   OLD2 [[pane_bit(rules_.inputs, answer_.prim) : 0;]]
   NEW2 [[0 : 0;]])
 mutant(rule_far_bounces_take_the_background FILE model/unit/shade/pass.cpp TEST simulate
   "scenes/pond.json --depth 2"
-  OLD [[if (!c.horizon || s.lost) return std::nullopt;]]
+  OLD [[if (!c.horizon || s.is_lost) return std::nullopt;]]
   NEW [[return std::nullopt;]]
   FILE2 sim/judge/paths/path_surface.cpp
   OLD2 [[if (!config_.horizon || place_.is_lost) return std::nullopt;]]
@@ -181,8 +181,8 @@ mutant(rule_far_bounces_begin_on_the_other_side FILE model/unit/shade/pass.cpp T
   NEW2 [[through ? s.n[k] >= 0 : s.n[k] < 0;]])
 mutant(rule_far_points_see_all_lights FILE model/unit/shade/pass.cpp TEST simulate
   "scenes/pebble.json --depth 1 | spheres --depth 1"
-  OLD [[if (!found.counts || (s.far && !clear)) return;]]
-  NEW [[if (!found.counts || s.far) return;]]
+  OLD [[if (!found.counts || (s.is_far && !clear)) return;]]
+  NEW [[if (!found.counts || s.is_far) return;]]
   FILE2 sim/judge/paths/path_surface.cpp
   OLD2 [[|| (place_.is_far && !clear)) {]]
   NEW2 [[|| place_.is_far) {]])
@@ -257,11 +257,11 @@ mutant(rule_total_reflection_loses_what_transmits FILE model/unit/shade/bounce.c
   OLD2 [[    if (s.total) {]]
   NEW2 [[    if (s.total && s.mirror > s.transmit) {]])
 mutant(rule_refracted_rays_stay_outside FILE model/unit/shade/pass.cpp TEST simulate "spheres --depth 4"
-  OLD [[s.inside ^ std::uint32_t(through)]]
-  NEW [[s.inside + 0 * through]]
+  OLD [[s.is_inside ^ std::uint32_t(through)]]
+  NEW [[s.is_inside + 0 * through]]
   FILE2 sim/judge/paths/path_bounce.cpp
-  OLD2 [[s.inside ^ std::uint32_t(through)]]
-  NEW2 [[s.inside]])
+  OLD2 [[s.is_inside ^ std::uint32_t(through)]]
+  NEW2 [[s.is_inside]])
 mutant(rule_one_bounce_more_than_the_depth FILE model/unit/shade/pass.cpp TEST simulate "spheres --depth 2"
   OLD [[if (s.depth >= frame.shade.depth)]]
   NEW [[if (s.depth > frame.shade.depth)]]

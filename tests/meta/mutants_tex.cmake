@@ -119,11 +119,11 @@ mutant(tex_model_holes_kept_by_the_next_sample FILE model/unit/shade/pass.cpp TE
   OLD [[s.path = 0, s.holes = 0;]]
   NEW [[s.path = 0;]])
 mutant(tex_model_holes_without_end FILE model/unit/shade/pass.cpp TEST unit ${path_cases}
-  OLD [[if (!in.hole || s.holes == most_holes) {]]
+  OLD [[if (!in.hole || s.holes == max_holes) {]]
   NEW [[if (!in.hole) {]])
 mutant(tex_model_one_hole_too_few FILE model/unit/shade/pass.cpp TEST unit ${hole_cases}
-  OLD [[if (!in.hole || s.holes == most_holes) {]]
-  NEW [[if (!in.hole || s.holes + 1 == most_holes) {]])
+  OLD [[if (!in.hole || s.holes == max_holes) {]]
+  NEW [[if (!in.hole || s.holes + 1 == max_holes) {]])
 mutant(tex_model_hole_from_the_old_origin FILE model/unit/shade/pass.cpp TEST unit ${hole_cases}
   OLD [[out.spawn.o[k] = std::int32_t(s.o[k]);]]
   NEW [[out.spawn.o[k] = in.o[k];]])
@@ -140,7 +140,7 @@ mutant(tex_model_pixel_keeps_the_hit_behind_a_hole FILE model/unit/shade/pass.cp
 # ---- Light through holes in the model.
 set(light_cases [hole]~[foliage]~[rtl])
 mutant(tex_model_light_holes_without_end FILE model/unit/shade/pass.cpp TEST unit ${light_cases}
-  OLD [[in.hole && in.state.light_holes < most_holes;]]
+  OLD [[in.hole && in.state.light_holes < max_holes;]]
   NEW [[in.hole;]])
 mutant(tex_model_light_holes_kept FILE model/unit/shade/pass.cpp TEST unit ${light_cases}
   OLD [[passes_hole(in) ? s.light_holes + 1 : 0;]]
@@ -175,11 +175,11 @@ mutant(tex_model_path_wraps FILE model/unit/shade/surf.cpp TEST unit ${path_case
   OLD [[std::min<std::uint64_t>(in.state.path + length, (std::uint64_t(1) << c.path_bits()) - 1)]]
   NEW [[(in.state.path + length) & ((std::uint64_t(1) << c.path_bits()) - 1)]])
 mutant(tex_model_path_goes_on_in_the_next_sample QUICK FILE model/unit/shade/pass.cpp TEST unit ${path_cases}
-  OLD [[s.depth = 0, s.cell = 0, s.path = 0, s.holes = 0;]]
-  NEW [[s.depth = 0, s.cell = 0, s.holes = 0;]])
+  OLD [[s.depth = 0, s.in_cell = 0, s.path = 0, s.holes = 0;]]
+  NEW [[s.depth = 0, s.in_cell = 0, s.holes = 0;]])
 mutant(tex_model_path_of_a_waiting_ray_lost FILE model/unit/shade/pass.cpp TEST unit ${path_cases}
-  OLD [[s.cell = ray.cell, s.path = ray.path;]]
-  NEW [[s.cell = ray.cell;]])
+  OLD [[s.in_cell = ray.in_cell, s.path = ray.path;]]
+  NEW [[s.in_cell = ray.in_cell;]])
 mutant(tex_model_ambient_before_texture FILE model/unit/shade/surf.cpp TEST unit ${path_cases}
   OLD [[if (s.record != 0) return {};]]
   NEW [[;]])
@@ -240,8 +240,8 @@ mutant(simulate_tex_hole_has_ambient_light FILE model/unit/shade/pass.cpp TEST s
   OLD [[++s.holes;]]
   NEW [[add(s.colour, ambient), ++s.holes;]])
 mutant(simulate_tex_cutouts_hide_the_light FILE model/unit/shade/pass.cpp TEST simulate "room --depth 1"
-  OLD [[in.hole && in.state.light_holes < most_holes;]]
-  NEW [[in.hole && in.state.light_holes > most_holes;]])
+  OLD [[in.hole && in.state.light_holes < max_holes;]]
+  NEW [[in.hole && in.state.light_holes > max_holes;]])
 mutant(simulate_tex_light_ignores_an_opaque_cutout FILE model/unit/list/ray_tests.hpp
   WITH model/trace/record.cpp TEST simulate "room --depth 1"
   OLD [[            --holes_;]]
@@ -548,8 +548,8 @@ mutant(simulate_tex_sphere_axes_swapped FILE model/unit/shade/surf.cpp TEST simu
   OLD [[half * std::abs(n[0]) / sum, q = half * std::abs(n[2]) / sum;]]
   NEW [[half * std::abs(n[2]) / sum, q = half * std::abs(n[0]) / sum;]])
 mutant(simulate_tex_sphere_as_the_viewer_sees_it FILE model/unit/shade/pass.cpp TEST simulate ${globe}
-  OLD [[    if (s.round) {]]
-  NEW [[    if (s.round && s.normal[0] > 0) {]])
+  OLD [[    if (s.is_round) {]]
+  NEW [[    if (s.is_round && s.normal[0] > 0) {]])
 mutant(simulate_tex_sphere_density_of_a_disc FILE model/scene/texture.cpp TEST simulate ${globe}
   OLD [[log2_of_4_pi = 3.6514961294723187;]]
   NEW [[log2_of_4_pi = 1.6514961294723187;]])

@@ -13,7 +13,7 @@ mutant(observer_is_a_cycle_late FILE sim/view/observe/observer.cpp TEST observe 
 mutant(path_of_a_light_sent_again_is_a_bounce FILE sim/view/observe/path.cpp TEST observe
   "each ray of a pixel*"
   OLD [[event_of(in);]]
-  NEW [[ShadeEvent(in.state.next_event);]])
+  NEW [[in.state.next_event;]])
 mutant(story_waits_for_its_own_work FILE sim/view/observe/story.cpp TEST observe "a pixel*"
   OLD [[std::uint64_t left = lookup_cycle - begin - times.before;]]
   NEW [[std::uint64_t left = lookup_cycle - begin;]])

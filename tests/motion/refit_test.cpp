@@ -197,10 +197,10 @@ TEST_CASE("no tree takes more lines than there is room for", "[motion][refit]") 
                 const Film film(scene, config);
                 Refit tree(config, "soup");
                 tree.follow(film.prims(), 0);
-                CHECK(tree.report().bytes / 64 <= Refit::most_lines(std::uint64_t(n)));
+                CHECK(tree.report().bytes / 64 <= Refit::max_lines(std::uint64_t(n)));
             }
     }
-    CHECK(Refit::most_lines(1) == 2);
+    CHECK(Refit::max_lines(1) == 2);
 }
 
 namespace {
@@ -239,7 +239,7 @@ TEST_CASE("uploads give the chip the host's image, whatever its memory held befo
         Scene scene = soup(int(3 + seed % 20), 0.5, seed);
         RefittedScene film(scene, box, std::span(&eye, 1), 0, config);
         MemoryImage memory;
-        memory.words.assign(std::size_t(Refit::most_lines(scene.triangles.size())) * words_per_line,
+        memory.words.assign(std::size_t(Refit::max_lines(scene.triangles.size())) * words_per_line,
                             0x5a5a5a5a);
         for (int f = 0; f < 4; ++f) {
             const Upload upload = film.next(scene);

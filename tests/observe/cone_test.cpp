@@ -60,7 +60,7 @@ public:
         divergence.on = Link::box_rsp, divergence.field = field_.name;
         LinkCycle link;
         link.rtl_valid = true;
-        link.rtl.assign(std::size_t(bits_of<BoxRsp>(config_) + 31) / 32, 0);
+        link.rtl.assign(std::size_t(bits_of<NodeAnswer>(config_) + 31) / 32, 0);
         for (int i = 0; i < std::min(field_.width, 32); ++i)
             link.rtl[std::size_t((field_.at + i) / 32)] |= (wrong >> i & 1) << ((field_.at + i) % 32);
         Capture capture;

@@ -41,7 +41,7 @@ TEST_CASE("scenes with mirrors and glass go on bouncing, those without do not be
 }
 
 TEST_CASE("between the mirrors rays go on for as many bounces as they may", "[reference][bounces]") {
-    const std::vector<std::uint64_t> rays = bounces_by_depth(make_builtin("mirrors"), most_depth);
+    const std::vector<std::uint64_t> rays = bounces_by_depth(make_builtin("mirrors"), max_depth);
     CAPTURE(rays);
     CHECK(rays[0] > 1000);
     for (std::size_t i = 1; i < rays.size(); ++i) CHECK(rays[i] > rays[i - 1] / 2);

@@ -191,7 +191,7 @@ TEST_CASE("two mirrors count down the depth", "[reference][whitted]") {
     Scene scene = dark();
     const std::uint32_t mirror = add(scene, {"mirror", {1, 1, 1}, 0.1, 0, 0, 1, 0.5, 0, 1});
     scene.planes = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, mirror}, {{0, 0, 9}, {1, 0, 0}, {0, 1, 0}, mirror}};
-    for (int depth = 0; depth <= most_depth; ++depth) {
+    for (int depth = 0; depth <= max_depth; ++depth) {
         CAPTURE(depth);
         const WhittedFrame frame = one_ray(scene, {0, 0, 5}, {0.5, 0, 0}, {.depth = depth});
         check_colour(frame.pixels[0], glm::dvec3(0.2 * (1 - std::pow(0.5, depth + 1))));

@@ -21,7 +21,7 @@ bool is_within(int offset, int cell, int n) {
 
 TEST_CASE("every cell of a pixel holds one sample, and the first four lie in three quarters at least",
           "[scene][samples]") {
-    const int n = GENERATE(range(1, most_aa + 1));
+    const int n = GENERATE(range(1, max_aa + 1));
     const bool jitter = GENERATE(false, true);
     for (std::uint32_t pixel = 0; pixel < 50; ++pixel) {
         std::set<int> cells;

@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "sim/explore/balance/report.hpp"
+#include "sim/explore/balance/balance_report.hpp"
 
 using namespace rayclock;
 using namespace rayclock::balance;

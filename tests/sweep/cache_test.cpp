@@ -37,7 +37,7 @@ void check_same(const sweep::Outcome& a, const sweep::Outcome& b) {
 
 TEST_CASE("the cache gives back what it got, under its key only") {
     const CacheFolder folder;
-    jobs::Cache cache(folder.path(), false);
+    results::Cache cache(folder.path(), false);
     const ordered_json value{{"a", 1.0 / 3}, {"b", nullptr}, {"c", {1, 2, 3}}};
     CHECK(!cache.find("frame", "key"));
     cache.keep("frame", "key", value);
@@ -45,7 +45,7 @@ TEST_CASE("the cache gives back what it got, under its key only") {
     CHECK(cache.find("frame", "key")->dump() == value.dump());
     CHECK(!cache.find("frame", "other key"));
     CHECK(!cache.find("picture", "key"));
-    CHECK(!jobs::Cache(folder.path(), true).find("frame", "key"));   // --fresh
+    CHECK(!results::Cache(folder.path(), true).find("frame", "key"));   // --fresh
     CHECK(files_in(folder.path()).size() == 1);
     CHECK(cache.trouble().empty());
 }
@@ -61,7 +61,7 @@ TEST_CASE("an entry whose value is of another kind counts as missing, although i
         for (const ordered_json& wrong : {ordered_json("text"), ordered_json(7), ordered_json::array({1}),
                                           ordered_json{{"refused", 7}}, ordered_json{{"cycles", "many"}}}) {
             INFO(kind << ": " << wrong.dump());
-            jobs::Cache(folder.path(), false).keep(kind, entry["key"], wrong);
+            results::Cache(folder.path(), false).keep(kind, entry["key"], wrong);
             check_same(first, run_sweep(scene, {"coord_bits=16"}, folder.path()));
         }
     }
@@ -69,7 +69,7 @@ TEST_CASE("an entry whose value is of another kind counts as missing, although i
 
 TEST_CASE("an entry that is not whole, or was changed, counts as missing") {
     const CacheFolder folder;
-    jobs::Cache cache(folder.path(), false);
+    results::Cache cache(folder.path(), false);
     cache.keep("frame", "key", {{"cycles", 12345}});
     const std::filesystem::path file = files_in(folder.path()).at(0);
     std::ifstream stream(file);
@@ -90,7 +90,7 @@ TEST_CASE("an entry that is not whole, or was changed, counts as missing") {
 TEST_CASE("a folder that cannot be made does not stop the sweep") {
     const CacheFolder folder;
     std::ofstream(folder.path() / "file") << "not a folder";
-    jobs::Cache cache(folder.path() / "file" / "sweep", false);
+    results::Cache cache(folder.path() / "file" / "sweep", false);
     CHECK(!cache.trouble().empty());
     cache.keep("frame", "key", 1);
     CHECK(!cache.find("frame", "key"));

@@ -50,7 +50,7 @@ inline std::vector<sweep::Point> points_of(const std::vector<std::string>& texts
 inline sweep::Outcome run_sweep(const Scene& scene, const std::vector<std::string>& axes,
                                 const std::filesystem::path& folder, bool fresh = false,
                                 FrameSize size = {48, 36}) {
-    jobs::Cache cache(folder, fresh);
+    results::Cache cache(folder, fresh);
     sweep::Outcome outcome = sweep::run({scene, size, points_of(axes), 2, false}, cache, {});
     CHECK(cache.trouble().empty());
     return outcome;

@@ -29,7 +29,7 @@ Config with_all_units(Config config, const Whitted& settings) {
     everything.materials.resize(1);
     everything.materials[0].transmit = 1;
     Whitted most = settings;
-    most.aa = 2, most.depth = most_depth;
+    most.aa = 2, most.depth = max_depth;
     Config all = fitted_config(everything, most, config);
     all.stack_depth = 64;
     check_config(all, "test");

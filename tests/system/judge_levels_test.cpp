@@ -265,11 +265,11 @@ TEST_CASE("the judge sees memory that does not hold the scene's instances", "[ju
         says("instance 0 is told that it lies in another line of memory");
     }
     SECTION("a turned instance that is said to be where the scene is") {
-        made.change_line(line, [](Placement& p) { p.same = 1; });
+        made.change_line(line, [](Placement& p) { p.is_same = 1; });
         says("instance 0 is said to be placed by the identity, and is not");
     }
     SECTION("the scene's own mesh, and memory does not say so") {
-        made.change_line(made.line_of(0), [](Placement& p) { p.same = 0; });
+        made.change_line(made.line_of(0), [](Placement& p) { p.is_same = 0; });
         says("the scene's own mesh is placed by the identity, and memory does not say so");
     }
     SECTION("another material") {

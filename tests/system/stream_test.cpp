@@ -371,7 +371,7 @@ TEST_CASE("a request for any hit without an end has no end, however short its di
     Lattice lattice;
     lattice.coord_bits = config.coord_bits;
     const double inf = std::numeric_limits<double>::infinity();
-    for (const double size : {StreamRay::least_size, 0x1p-400, 1.0, 0x1p400, StreamRay::most_size}) {
+    for (const double size : {StreamRay::least_size, 0x1p-400, 1.0, 0x1p400, StreamRay::max_size}) {
         INFO(size);
         for (const double other : {0.0, 0x1p-1074, size * 0x1p-60, -size}) {
             const glm::dvec3 direction{other, size, 0};
@@ -391,7 +391,7 @@ TEST_CASE("a request for any hit without an end has no end, however short its di
     REQUIRE(endless);
     CHECK(RayKind(endless->record.kind) == RayKind::away);
     lattice.pitch = glm::dvec3(1);
-    for (const double far : {StreamRay::most_size, -StreamRay::most_size}) {
+    for (const double far : {StreamRay::max_size, -StreamRay::max_size}) {
         const auto made = on_lattice({{0, far, 0}, {0, -far, 0}, 0, inf, false}, lattice, config);
         REQUIRE(made);
         CHECK(made->is_clipped);

@@ -7,7 +7,7 @@
 
 #include "model/base/error.hpp"
 #include "sim/explore/stress/aim.hpp"
-#include "sim/explore/stress/report.hpp"
+#include "sim/explore/stress/stress_report.hpp"
 #include "sim/explore/stress/sketch.hpp"
 
 namespace rayclock::test::stress_test {

@@ -6,20 +6,20 @@
 
 #include <glm/matrix.hpp>
 
-#include "model/engine/engines.hpp"
-#include "model/compile/emit.hpp"
-#include "model/engine/check.hpp"
-#include "model/layout/words.hpp"
-#include "model/compile/refit/refit.hpp"
-#include "model/compile/surfaces.hpp"
-#include "model/compile/compile.hpp"
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
+#include "model/compile/compile.hpp"
+#include "model/compile/emit.hpp"
+#include "model/compile/refit/refit.hpp"
+#include "model/compile/surfaces.hpp"
+#include "model/engine/check.hpp"
+#include "model/engine/engines.hpp"
+#include "model/layout/words.hpp"
 
 namespace rayclock {
 namespace {
 
-constexpr int most_groups = 62;   // a Trace reserves larger counts of dropped groups for instances
+constexpr int max_groups = 62;   // a Trace reserves larger counts of dropped groups for instances
 
 class LevelsCompiler {
 public:
@@ -98,7 +98,7 @@ private:
         image_.report.coincident += drop_coincident_spheres(prims);
         if (made.deforms)
             out_.rooms[c] = aligned(std::uint32_t(
-                std::min<std::uint64_t>(Refit::most_lines(prims.size()), std::uint64_t(1) << max_addr_bits)));
+                std::min<std::uint64_t>(Refit::max_lines(prims.size()), std::uint64_t(1) << max_addr_bits)));
         if (!prims.empty()) lowers_[c] = compile_triangles(prims, config_.lower(), name_);
     }
 
@@ -277,8 +277,8 @@ Scene class_surfaces(const SharedMesh& mesh, const MeshClass& made, const std::v
 
 void check_need(int need, const Config& config, const std::string& name) {
     check_stack(need, config, name);
-    if (need > most_groups)
-        throw UserError(name + ": two levels keep " + std::to_string(most_groups) +
+    if (need > max_groups)
+        throw UserError(name + ": two levels keep " + std::to_string(max_groups) +
                         " sibling groups of a ray at most, and this tree needs " + std::to_string(need));
 }
 

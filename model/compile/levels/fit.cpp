@@ -16,7 +16,7 @@ namespace rayclock {
 namespace {
 
 // If a mesh has more corners than this, the box of a moving instance is not exact.
-constexpr std::size_t most_exact = 64;
+constexpr std::size_t max_exact = 64;
 
 /// Extents of the class's corners along a row of the stored map's inverse: of all corners, or of solids
 /// around them.
@@ -71,7 +71,7 @@ void place_box(const MeshClass& made, const glm::dmat3& linear, const glm::dvec3
     const double stretch = std::max({reach.x, reach.y, reach.z});   // alpha
     // The smallest value of a direction's largest component.
     const double shortest = std::ldexp(1, config.dir_bits - 2);
-    fitted.stretched = !(stretch <= most_stretch);
+    fitted.stretched = !(stretch <= max_stretch);
     if (fitted.stretched) return;
     const double last = (2 * largest + 1.25 * stretch + 1) / (shortest - stretch / 2);
     map.off = map.is_whole ? 0 : 0.5 + 0.5 * last;
@@ -159,7 +159,7 @@ Fitted fit(const Seen& seen, const MeshClass& made, const Config& config, bool b
         map.is_whole = map.is_whole && map.b[i] % one == 0;
         map.is_same = map.is_same && map.b[i] == 0;
     }
-    place_box(made, linear, moved, config, by_reach && (made.deforms || made.points.size() > most_exact),
+    place_box(made, linear, moved, config, by_reach && (made.deforms || made.points.size() > max_exact),
               fitted);
     return fitted;
 }

@@ -5,18 +5,18 @@
 #include <limits>
 #include <map>
 
-#include "model/compile/plane.hpp"
-#include "model/compile/surfaces.hpp"
+#include "model/base/error.hpp"
 #include "model/compile/compile.hpp"
 #include "model/compile/lattice.hpp"
-#include "model/base/error.hpp"
+#include "model/compile/plane.hpp"
+#include "model/compile/surfaces.hpp"
 
 #include <glm/common.hpp>
 
 namespace rayclock {
 namespace {
 
-constexpr std::uint64_t most_corners = 20'000'000;   // corners of all instances; with more, no box is exact
+constexpr std::uint64_t max_corners = 20'000'000;   // corners of all instances; with more, no box is exact
 
 /// The requirements of a class's members on its lattice.
 struct Needs {
@@ -62,7 +62,7 @@ public:
         std::uint64_t corners = 0;
         for (const Instance& instance : parts.instances)
             corners += parts.meshes[instance.mesh]->vertices.size();
-        is_large_ = corners > most_corners;
+        is_large_ = corners > max_corners;
     }
 
     /// Computes everything. Rounding may push boxes beyond the lattice; the lattice then gets a margin.
@@ -284,7 +284,7 @@ private:
     /// Sets, for a mesh that deforms, the corners of its bounds at all times, enlarged by the corners' error
     /// on the lattice.
     void take_room(MeshClass& made) {
-        const std::int32_t off = config_.shading ? 1 << most_fine : 1;
+        const std::int32_t off = config_.shading ? 1 << max_fine : 1;
         LatticeBox box;
         for (const glm::dvec3& corner : corners_of(made.mesh))
             box.add(made.lattice.snap(glm::dvec3(made.before * glm::dvec4(corner, 1))));

@@ -88,7 +88,7 @@ Vec3i snapped_corner(const MeshClass& made, const SharedMesh& mesh, std::uint32_
 
 /// The most steps of the scene per step of the mesh; beyond that, an instance is written out. A map that
 /// rotates, moves and scales uniformly has at most 24.
-constexpr double most_stretch = 32;
+constexpr double max_stretch = 32;
 
 /// Returns the lattices and maps of a scene that does not move.
 LevelMaps map_instances(const LevelParts& parts, const glm::dvec3& eye, const Config& config);

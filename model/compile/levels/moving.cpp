@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "model/base/stopwatch.hpp"
+#include "model/compile/surfaces.hpp"
 #include "model/engine/engines.hpp"
 #include "model/layout/words.hpp"
-#include "model/compile/surfaces.hpp"
-#include "model/base/stopwatch.hpp"
 
 namespace rayclock {
 
@@ -54,7 +54,7 @@ std::unique_ptr<MovingLevels> MovingLevels::make(const PlacedScene& scene, std::
 /// Returns the room for the scene's tree. A tree of boxes or globes has a bound. For planes, the trees of all
 /// frames are built, and the largest gives the room.
 std::uint32_t MovingLevels::room(const std::vector<UpperEntry>& entries, std::span<const Places> times) {
-    if (!has_cells(config_)) return most_upper_lines(entries.size());
+    if (!has_cells(config_)) return max_upper_lines(entries.size());
     std::vector<InstanceMap>& maps = levels_.maps.instances;   // the entries refer to these
     const std::vector<InstanceMap> now = maps;
     std::uint32_t most = 0;

@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
-#include "model/engine/bvh/encode.hpp"
-#include "model/engine/engines.hpp"
-#include "model/engine/bvh/collapse.hpp"
-#include "model/engine/bvh/build.hpp"
-#include "model/engine/spheres/around.hpp"
-#include "model/engine/spheres/encode.hpp"
 #include "model/compile/levels/upper_lines.hpp"
 #include "model/compile/textures.hpp"
+#include "model/engine/bvh/build.hpp"
+#include "model/engine/bvh/collapse.hpp"
+#include "model/engine/bvh/encode.hpp"
+#include "model/engine/engines.hpp"
+#include "model/engine/spheres/around.hpp"
+#include "model/engine/spheres/encode.hpp"
 
 namespace rayclock {
 namespace {

@@ -43,7 +43,7 @@ void write_entries(const std::vector<UpperEntry>& entries, const std::vector<Pla
 
 /// Returns the most lines of a tree of boxes or globes over so many entries. Each node except the root has at
 /// least two children, and each child takes a line.
-constexpr std::uint32_t most_upper_lines(std::size_t entries) {
+constexpr std::uint32_t max_upper_lines(std::size_t entries) {
     return std::uint32_t(2 * std::max<std::size_t>(entries, 1));
 }
 

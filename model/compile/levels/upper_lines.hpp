@@ -1,8 +1,8 @@
 #pragma once
 // The use of lines, shared by all writers of the scene's tree.
 #include "model/compile/emit.hpp"
-#include "model/layout/words.hpp"
 #include "model/compile/levels/upper.hpp"
+#include "model/layout/words.hpp"
 
 namespace rayclock {
 

@@ -3,17 +3,17 @@
 
 #include <algorithm>
 
-#include <glm/common.hpp>
 #include <tbb/parallel_for.h>
+#include <glm/common.hpp>
 
+#include "model/base/stopwatch.hpp"
+#include "model/compile/compile.hpp"
 #include "model/compile/emit.hpp"
-#include "model/layout/words.hpp"
+#include "model/compile/lattice.hpp"
 #include "model/compile/plane.hpp"
 #include "model/compile/surfaces.hpp"
 #include "model/compile/textures.hpp"
-#include "model/compile/compile.hpp"
-#include "model/compile/lattice.hpp"
-#include "model/base/stopwatch.hpp"
+#include "model/layout/words.hpp"
 
 namespace rayclock {
 namespace {
@@ -62,7 +62,7 @@ Upload RefittedScene::next(const Scene& given) {
         std::vector<PrimData> kept = prims;
         std::erase_if(kept, [&](const PrimData& t) { return !counts(t, config_); });
         check_kept(kept, scene, config_, name_);
-        const std::uint64_t room = Refit::most_lines(prims.size());
+        const std::uint64_t room = Refit::max_lines(prims.size());
         check_lines(room, config_, name_);
         tree_lines_ = std::uint32_t(room);
         image_.primitives = std::uint32_t(prims.size());

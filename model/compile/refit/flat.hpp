@@ -3,9 +3,9 @@
 #include <span>
 #include <string>
 
-#include "model/scene/scene.hpp"
 #include "model/compile/refit/refit.hpp"
 #include "model/compile/upload.hpp"
+#include "model/scene/scene.hpp"
 
 namespace rayclock {
 

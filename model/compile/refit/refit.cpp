@@ -5,10 +5,10 @@
 
 #include <tbb/parallel_for.h>
 
+#include "model/compile/compile.hpp"
+#include "model/compile/emit.hpp"
 #include "model/engine/bvh/collapse.hpp"
 #include "model/engine/bvh/decode.hpp"
-#include "model/compile/emit.hpp"
-#include "model/compile/compile.hpp"
 #include "model/engine/bvh/encode.hpp"
 #include "model/layout/words.hpp"
 
@@ -114,7 +114,7 @@ void Refit::write_node(const WideNode& node, std::uint32_t root, bool in_mesh, s
 
 // Each node except the root has at least two children. So over n primitives there are at most n - 1 nodes, or
 // one if n is 1. A node takes a line, and its leaves' c primitives take (c + 1) / 2 lines.
-std::uint64_t Refit::most_lines(std::uint64_t prims) {
+std::uint64_t Refit::max_lines(std::uint64_t prims) {
     const std::uint64_t nodes = std::max<std::uint64_t>(1, prims - 1);
     return nodes + (prims + nodes) / 2;
 }

@@ -35,7 +35,7 @@ public:
     double ratio() const { return built_cost_ > 0 ? cost() / built_cost_ : 1; }
     const CompileReport& report() const { return report_; }   ///< from the last build
     /// Returns the most lines of a tree over so many primitives, however it is built.
-    static std::uint64_t most_lines(std::uint64_t prims);
+    static std::uint64_t max_lines(std::uint64_t prims);
 
 private:
     struct Leaf {

@@ -32,11 +32,11 @@ std::uint32_t bih_exits(const BoxRay& ray, const WideBih& node, const Config& co
     return exits_met(ray, node, sides, config, t_near);
 }
 
-BoxRsp bih_answer(const BihReq& req, const Config& config) {
+NodeAnswer bih_answer(const BihReq& req, const Config& config) {
     const WideBih wide = widen(req.node, config.node_width);
     std::array<std::uint32_t, max_width> t_near;
     const std::uint32_t hits = bih_exits({req.o, req.neg, req.recip, req.len}, wide, config, t_near.data());
-    return box_answer(req.ray, hits, t_near.data(), wide.exits);
+    return node_answer(req.ray, hits, t_near.data(), wide.exits);
 }
 
 }   // namespace rayclock

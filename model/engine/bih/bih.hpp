@@ -24,6 +24,6 @@ PlaneSides pair_sides(const BoxRay& ray, std::uint32_t axis, std::int32_t lower_
 /// cycle.
 std::uint32_t bih_exits(const BoxRay& ray, const WideBih& node, const Config& config, std::uint32_t* t_near);
 /// Returns the unit's answer.
-BoxRsp bih_answer(const BihReq& req, const Config& config);
+NodeAnswer bih_answer(const BihReq& req, const Config& config);
 
 }   // namespace rayclock

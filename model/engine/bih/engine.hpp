@@ -32,7 +32,9 @@ struct Bih : OfBoxRay<BihNode>, OfCells<BihNode, WideBih> {
                                 std::uint32_t* t_near) {
         return bih_exits(form, node, config, t_near);
     }
-    static BoxRsp answer(const Request& request, const Config& config) { return bih_answer(request, config); }
+    static NodeAnswer answer(const Request& request, const Config& config) {
+        return bih_answer(request, config);
+    }
     static cells::CellPtr build(const cells::Pieces& pieces, const std::vector<PrimData>&,
                                 const Config& config) {
         return bih::build(pieces, config);

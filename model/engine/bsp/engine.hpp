@@ -39,7 +39,7 @@ struct Bsp : OfCells<Slant, WideSlant> {
                                 std::uint32_t* t_near) {
         return slant_exits(form.box, form.along, node, config, t_near);
     }
-    static BoxRsp answer(const Request& request, const Config& config) { return slant(request, config); }
+    static NodeAnswer answer(const Request& request, const Config& config) { return slant(request, config); }
     static cells::CellPtr build(const cells::Pieces& pieces, const std::vector<PrimData>& prims,
                                 const Config& config) {
         return bsp::build(pieces, prims, config);

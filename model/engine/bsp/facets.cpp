@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/geometric.hpp>
 #include <tbb/parallel_for.h>
+#include <glm/geometric.hpp>
 
 #include "model/unit/isect/vectors.hpp"
 
@@ -13,9 +13,9 @@ namespace rayclock::bsp {
 
 namespace {
 
-constexpr std::size_t most_items = 16, offering = 2;
+constexpr std::size_t max_items = 16, offering = 2;
 constexpr double oblique_factor = 1.2;
-constexpr int most_step = (1 << (normal_step_bits - 1)) - 1;
+constexpr int max_step = (1 << (normal_step_bits - 1)) - 1;
 
 glm::dvec3 point(const Vec3i& p) { return {p[0], p[1], p[2]}; }
 
@@ -28,7 +28,7 @@ Vec3i nearest_normal(const glm::dvec3& direction) {
     const glm::dvec3 d = direction / longest;
     Vec3i best{};
     double least = 4;   // squared tangent of the angle between them
-    for (int longer = 1; longer <= most_step; ++longer) {
+    for (int longer = 1; longer <= max_step; ++longer) {
         const glm::dvec3 n = glm::round(d * double(longer));
         const glm::dvec3 off = glm::cross(n, d);
         const double error = glm::dot(off, off) / glm::dot(n, n);
@@ -60,7 +60,7 @@ Facets::Normals Facets::normals_of(const PrimData& prim) {
 void Facets::consider(const cells::Items& items, const Solid& solid, std::uint32_t prim, const Vec3i& normal,
                       cells::Split& best) const {
     const auto own = pieces_.of(prim).reach(normal);
-    std::array<cells::Clipper::Reach, most_items> reaches;
+    std::array<cells::Clipper::Reach, max_items> reaches;
     for (std::size_t i = 0; i < items.size(); ++i) reaches[i] = pieces_.reach(items[i], normal);
     consider_at(std::span(reaches).first(items.size()), solid, normal, own.lo, best);
     if (own.hi != own.lo) consider_at(std::span(reaches).first(items.size()), solid, normal, own.hi, best);
@@ -94,7 +94,7 @@ void Facets::consider_at(std::span<const cells::Clipper::Reach> reaches, const S
 
 void Facets::best_split(const cells::Items& items, const cells::Region& region, cells::Split& best) const {
     const std::size_t most = stops_ ? items.size() : 2 * items.size();
-    if (items.size() > most_items) return cells::try_axes(items, region.box, most, best);
+    if (items.size() > max_items) return cells::try_axes(items, region.box, most, best);
     Solid solid(region.box);
     for (std::size_t i = region.own; i < region.walls.size(); ++i)
         solid.cut(point(region.walls[i].normal), region.walls[i].at, region.walls[i].upper);

@@ -74,13 +74,13 @@ std::uint32_t slant_exits(const BoxRay& ray, const Vec3i& along, const WideSlant
     return exits_met(ray, slant, sides, c, t_near);
 }
 
-BoxRsp slant(const SlantReq& req, const Config& config) {
+NodeAnswer slant(const SlantReq& req, const Config& config) {
     const WideSlant wide = widen(req.node, config.node_width);
     BoxRay ray{req.o, {}, req.recip, req.len};
     for (std::size_t k = 0; k < 3; ++k) ray.neg[k] = req.along[k] < 0;
     std::array<std::uint32_t, max_width> t_near;
     const std::uint32_t hits = slant_exits(ray, req.along, wide, config, t_near.data());
-    return box_answer(req.ray, hits, t_near.data(), wide.exits);
+    return node_answer(req.ray, hits, t_near.data(), wide.exits);
 }
 
 }   // namespace rayclock

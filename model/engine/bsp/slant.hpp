@@ -38,6 +38,6 @@ PlaneSides crossing(const Vec3i& o, const Vec3i& along, const Vec3i& normal, std
 std::uint32_t slant_exits(const BoxRay& ray, const Vec3i& along, const WideSlant& slant, const Config& config,
                           std::uint32_t* t_near);
 /// Returns the unit's answer.
-BoxRsp slant(const SlantReq& req, const Config& config);
+NodeAnswer slant(const SlantReq& req, const Config& config);
 
 }   // namespace rayclock

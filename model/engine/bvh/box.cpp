@@ -134,11 +134,11 @@ WideNode NodeReader::operator()(const std::uint32_t* line) const {
     return wide;
 }
 
-BoxRsp box(const BoxReq& req, const Config& config, BoxTest* test) {
+NodeAnswer box(const BoxReq& req, const Config& config, BoxTest* test) {
     const WideNode node = widen(req.node, config.node_width);
     std::array<std::uint32_t, max_width> t_near;
     const std::uint32_t hits = test({req.o, req.neg, req.recip, req.len}, node, config, t_near.data());
-    return box_answer(req.ray, hits, t_near.data(), node);
+    return node_answer(req.ray, hits, t_near.data(), node);
 }
 
 }   // namespace rayclock

@@ -40,6 +40,6 @@ BoxTest box_children;
 /// Performs the same test without the processor's wider vectors, for the tests.
 BoxTest box_children_plain;
 /// Returns the unit's answer.
-BoxRsp box(const BoxReq& req, const Config& config, BoxTest* test = box_children);
+NodeAnswer box(const BoxReq& req, const Config& config, BoxTest* test = box_children);
 
 }   // namespace rayclock

@@ -1,7 +1,7 @@
 #pragma once
 // The descriptor of structure=bvh.
-#include "model/engine/parts.hpp"
 #include "model/engine/bvh/box.hpp"
+#include "model/engine/parts.hpp"
 
 namespace rayclock::engine {
 
@@ -22,7 +22,7 @@ struct Bvh : OfBoxRay<rayclock::Node> {
         return box_children(form, node, config, t_near);
     }
     static const WideNode& children(const Wide& node) { return node; }
-    static BoxRsp answer(const Request& request, const Config& config) { return box(request, config); }
+    static NodeAnswer answer(const Request& request, const Config& config) { return box(request, config); }
 };
 
 }   // namespace rayclock::engine

@@ -237,7 +237,7 @@ BinaryTree build_split_tree(const std::vector<LatticeBox>& boxes, const std::vec
                             const Config& config) {
     Items items(boxes.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) items[i] = {boxes[i], std::uint32_t(i)};
-    const double budget = most_split_references * double(items.size());
+    const double budget = max_split_references * double(items.size());
     const BranchPtr root = SplitBuilder(boxes, prims, config).build(std::move(items), 0, budget);
     BinaryTree tree;
     append(*root, tree.nodes);

@@ -1,7 +1,7 @@
 #pragma once
 // The binary tree over boxes, with spatial splits.
-#include "model/layout/tree.hpp"
 #include "model/core/config.hpp"
+#include "model/layout/tree.hpp"
 
 namespace rayclock {
 
@@ -12,11 +12,11 @@ namespace rayclock {
 /// (cells/clip.hpp). If it is cheaper, it stays whole in one side. So several leaves may hold one primitive;
 /// BinaryNode::left gives its number.
 ///
-/// References are bounded. Every primitive brings most_split_references, and a cut distributes them to both
+/// References are bounded. Every primitive brings max_split_references, and a cut distributes them to both
 /// sides in proportion to their items. A cell with too few for a cut is divided as without splits.
 ///
 /// `boxes` are those of `prims`, in the same order. A cell with an infinite plane is not cut.
-constexpr double most_split_references = 2;
+constexpr double max_split_references = 2;
 BinaryTree build_split_tree(const std::vector<LatticeBox>& boxes, const std::vector<PrimData>& prims,
                             const Config& config);
 

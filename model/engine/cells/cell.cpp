@@ -61,7 +61,7 @@ void Pieces::take(const Item& item, const Region& region, Items& out) const {
     LatticeBox box = region.box;
     for (std::size_t k = 0; k < 3; ++k)
         inside = inside && item.box.lo[k] >= box.lo[k] && item.box.hi[k] <= box.hi[k];
-    std::array<Wall, most_walls> walls;   // those that cut the item
+    std::array<Wall, max_walls> walls;   // those that cut the item
     std::size_t count = 0;
     for (const Wall& wall : region.walls) {
         const Clipper::Reach reach = this->reach(item, wall.normal);

@@ -11,11 +11,11 @@ namespace {
 
 constexpr double slack = 1.0 / 1024, outward = 1.0 / (1 << 20);   // lattice steps
 constexpr double wall_slack = 1.0 / 256;                          // of n . x
-constexpr std::size_t most_corners = 9 + most_walls;              // three, and one more for each plane
+constexpr std::size_t max_corners = 9 + max_walls;                // three, and one more for each plane
 using Corner = std::array<double, 3>;
 
 struct Polygon {
-    std::array<Corner, most_corners + 1> corners;
+    std::array<Corner, max_corners + 1> corners;
     std::size_t size = 0;
     void add(const Corner& corner) { corners[size++] = corner; }
 };

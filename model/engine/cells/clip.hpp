@@ -14,7 +14,7 @@ struct Wall {
     bool upper = false;
 };
 using Walls = std::span<const Wall>;
-constexpr std::size_t most_walls = 40;
+constexpr std::size_t max_walls = 40;
 
 /// Returns bounds, rounded outward, of the part of a primitive in a closed cell, or nothing if it has no part
 /// there. The bounds are never too small, and a primitive with a point in the cell is never lost.

@@ -1,7 +1,7 @@
 #pragma once
 // Chooses the cells of a tree that begin a treelet, and the cuts to undo.
-#include "model/engine/cells/cell.hpp"
 #include "model/core/config.hpp"
+#include "model/engine/cells/cell.hpp"
 
 namespace rayclock::cells {
 

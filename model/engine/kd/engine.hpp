@@ -31,7 +31,9 @@ struct Kd : OfBoxRay<Treelet>, OfCells<Treelet, WideTreelet> {
                                 std::uint32_t* t_near) {
         return treelet_exits(form, node, config, t_near);
     }
-    static BoxRsp answer(const Request& request, const Config& config) { return treelet(request, config); }
+    static NodeAnswer answer(const Request& request, const Config& config) {
+        return treelet(request, config);
+    }
     static cells::CellPtr build(const cells::Pieces& pieces, const std::vector<PrimData>&,
                                 const Config& config) {
         return config.is_octree() ? octree::build(pieces, config) : kd::build(pieces, config);

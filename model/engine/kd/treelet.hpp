@@ -29,12 +29,12 @@ WideTreelet widen(const Treelet& treelet, int node_width);
 std::uint32_t treelet_exits(const BoxRay& ray, const WideTreelet& treelet, const Config& config,
                             std::uint32_t* t_near);
 /// Returns the unit's answer.
-inline BoxRsp treelet(const TreeletReq& req, const Config& config) {
+inline NodeAnswer treelet(const TreeletReq& req, const Config& config) {
     const WideTreelet wide = widen(req.node, config.node_width);
     std::array<std::uint32_t, max_width> t_near;
     const std::uint32_t hits =
         treelet_exits({req.o, req.neg, req.recip, req.len}, wide, config, t_near.data());
-    return box_answer(req.ray, hits, t_near.data(), wide.exits);
+    return node_answer(req.ray, hits, t_near.data(), wide.exits);
 }
 
 }   // namespace rayclock

@@ -138,7 +138,7 @@ CellPtr build(const cells::Pieces& pieces, const Config& config) {
     Items items = pieces.all();
     const double most = double(config.references) * double(items.size());
     const LatticeBox box = cells::bounds_of(items);
-    return pieces.with_endless(Builder(pieces, config).node({std::move(items), box}, most_depth, most));
+    return pieces.with_endless(Builder(pieces, config).node({std::move(items), box}, max_depth, most));
 }
 
 }   // namespace rayclock::octree

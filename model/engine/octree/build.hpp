@@ -5,7 +5,7 @@
 namespace rayclock::octree {
 
 /// Builds an octree: the box of all primitives, halved on all three axes where it holds more than `leaf_size`
-/// of them, down to a depth of `most_depth` (Meagher 1980; Glassner 1984, "Space subdivision for fast ray
+/// of them, down to a depth of `max_depth` (Meagher 1980; Glassner 1984, "Space subdivision for fast ray
 /// tracing"). Halves meet at a lattice plane. An axis on which a cell is thinner than two steps is not
 /// halved.
 ///
@@ -15,6 +15,6 @@ namespace rayclock::octree {
 /// octants.
 cells::CellPtr build(const std::vector<PrimData>& prims, const Config& config);
 cells::CellPtr build(const cells::Pieces& pieces, const Config& config);
-constexpr int most_depth = 12;
+constexpr int max_depth = 12;
 
 }   // namespace rayclock::octree

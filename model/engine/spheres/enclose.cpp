@@ -13,7 +13,7 @@ namespace {
 constexpr double rounding = 1.0 / (1 << 20);
 constexpr double sheared_step = 1.7321;   ///< a lattice step on each axis
 constexpr double most_of_least = 1.0 / 1024;
-constexpr int most_pivots = 100;
+constexpr int max_pivots = 100;
 
 using Points = std::vector<glm::dvec3>;
 
@@ -123,7 +123,7 @@ Globe enclose(std::span<const Bead> beads) {
     Globe globe{support[0], 0};
     if (beads.size() == 1) globe.centre = beads[0].centre;
     Globe least{globe.centre, HUGE_VAL};
-    for (int i = 0; i < most_pivots; ++i) {
+    for (int i = 0; i < max_pivots; ++i) {
         const Farthest most = farthest_bead(beads, globe.centre);
         if (most.distance < least.radius) least = {globe.centre, most.distance};
         if (beads.size() == 1 || most.distance <= globe.radius * (1 + 1e-9)) break;

@@ -11,7 +11,7 @@ namespace rayclock {
 
 namespace {
 
-constexpr double most_steps = (1 << globe_bits) - 1;
+constexpr double max_steps = (1 << globe_bits) - 1;
 
 /// Writes a globe in steps of 2^exp from `org`. Returns false if it does not fit.
 bool place(const Globe& globe, const Vec3i& org, std::uint32_t exp, std::size_t i, GlobeNode& node) {
@@ -19,13 +19,13 @@ bool place(const Globe& globe, const Vec3i& org, std::uint32_t exp, std::size_t 
     glm::dvec3 moved;
     for (int k = 0; k < 3; ++k) {
         const double from = globe.centre[k] - org[std::size_t(k)], steps = std::round(from / step);
-        if (steps > most_steps) return false;
+        if (steps > max_steps) return false;
         node.centre[3 * i + std::size_t(k)] = std::uint32_t(steps);
         moved[k] = from - steps * step;
     }
     const double radius = std::ceil((globe.radius + glm::length(moved)) / step);
-    node.radius[i] = std::uint32_t(std::min(radius, most_steps));
-    return radius <= most_steps;
+    node.radius[i] = std::uint32_t(std::min(radius, max_steps));
+    return radius <= max_steps;
 }
 
 }   // namespace

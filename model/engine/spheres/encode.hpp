@@ -1,7 +1,7 @@
 #pragma once
 // Quantisation of globes in a node.
-#include "model/engine/spheres/node.hpp"
 #include "model/engine/spheres/enclose.hpp"
+#include "model/engine/spheres/node.hpp"
 
 namespace rayclock {
 

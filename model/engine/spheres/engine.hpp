@@ -1,7 +1,7 @@
 #pragma once
 // The descriptor of structure=spheres.
-#include "model/engine/spheres/globe.hpp"
 #include "model/engine/parts.hpp"
+#include "model/engine/spheres/globe.hpp"
 
 namespace rayclock::engine {
 
@@ -31,7 +31,7 @@ struct Globes {
         return globe_children(form, node, config, t_near);
     }
     static const WideNode& children(const Wide& node) { return node.children; }
-    static BoxRsp answer(const Request& request, const Config& config) { return globe(request, config); }
+    static NodeAnswer answer(const Request& request, const Config& config) { return globe(request, config); }
 };
 
 }   // namespace rayclock::engine

@@ -52,11 +52,11 @@ WideGlobes widen(const GlobeNode& node, int node_width);
 std::uint32_t globe_children(const GlobeRay& ray, const WideGlobes& node, const Config& config,
                              std::uint32_t* t_near);
 /// Returns the unit's answer.
-inline BoxRsp globe(const GlobeReq& req, const Config& config) {
+inline NodeAnswer globe(const GlobeReq& req, const Config& config) {
     const WideGlobes wide = widen(req.node, config.node_width);
     std::array<std::uint32_t, max_width> t_near{};
     const std::uint32_t hits = globe_children({req.o, req.toward, req.len}, wide, config, t_near.data());
-    return box_answer(req.ray, hits, t_near.data(), wide.children);
+    return node_answer(req.ray, hits, t_near.data(), wide.children);
 }
 
 }   // namespace rayclock

@@ -8,7 +8,7 @@ namespace rayclock {
 namespace {
 
 /// Returns the greatest correct value at z = x / 2^16.
-std::uint32_t most_at(std::uint64_t x) {
+std::uint32_t max_at(std::uint64_t x) {
     return std::uint32_t(((std::uint64_t(1) << 33) - (std::uint64_t(1) << 17)) / x);
 }
 
@@ -17,11 +17,11 @@ std::array<TableEntry, near_inverse_entries> make_near_inverse() {
     for (std::uint32_t i = 0; i < table.size(); ++i) {
         const std::uint32_t z = (128 + i) << 9;
         TableEntry& entry = table[i];
-        entry.value = most_at(z + 1);
-        entry.step = entry.value - most_at(z + 513);
+        entry.value = max_at(z + 1);
+        entry.step = entry.value - max_at(z + 513);
         std::uint32_t excess = 0;   // a chord lies above the curve
         for (std::uint32_t f = 0; f < 512; ++f) {
-            const std::uint32_t value = entry.value - (entry.step * f >> 9), most = most_at(z + f + 1);
+            const std::uint32_t value = entry.value - (entry.step * f >> 9), most = max_at(z + f + 1);
             excess = std::max(excess, value - std::min(value, most));
         }
         entry.value -= excess;

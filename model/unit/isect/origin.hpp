@@ -18,7 +18,7 @@
 namespace rayclock {
 
 constexpr int least_origin_bits = 2;   ///< with fewer bits no point lies inside
-constexpr int most_origin_bits = 16;
+constexpr int max_origin_bits = 16;
 
 /// Signed widths of the triangle test's values.
 struct RayWidths {

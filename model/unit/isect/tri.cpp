@@ -1,9 +1,9 @@
 // The unit tri, and its exact test in 64 bits.
 #include "model/unit/isect/tri.hpp"
 
-#include "model/unit/isect/any.hpp"
 #include "model/unit/isect/edges.hpp"
 #include "model/unit/isect/sheared.hpp"
+#include "model/unit/isect/test_primitive.hpp"
 
 namespace rayclock {
 
@@ -30,9 +30,9 @@ TriRsp tri(const TriReq& req, const Config& config) {
         ray.d = req.d;
         ray.kind = req.kind;
         ray.self = req.self;
-        ray.inside = req.inside;
-        ray.partial = req.partial;
-        any_test(ray, req.triangle, req.best, config, rsp);
+        ray.is_inside = req.is_inside;
+        ray.is_partial = req.is_partial;
+        test_primitive(ray, req.triangle, req.best, config, rsp);
     } else if (config.is_sheared()) {
         sheared_test(req.o, req.shear, req.triangle, req.best, config, rsp);
     } else {

@@ -1,7 +1,7 @@
 #pragma once
 // The work of list on one ray's leaves, without timing.
-#include "model/unit/trav/order.hpp"
 #include "model/core/payloads.hpp"
+#include "model/unit/trav/order.hpp"
 
 namespace rayclock {
 

@@ -5,8 +5,8 @@
 #include <bit>
 #include <cstdlib>
 
-#include "model/unit/isect/sheared.hpp"
 #include "model/scene/whitted.hpp"
+#include "model/unit/isect/sheared.hpp"
 
 namespace rayclock {
 
@@ -34,7 +34,7 @@ Vec3i direction_of(std::int64_t x, std::int64_t y, int frac, const Frame& frame,
         used |= std::uint64_t(sum[k] ^ sum[k] >> 63);
     }
     const int drop = guard_bits + frac,
-              shift = std::clamp(config.dir_bits - 1 + drop - int(std::bit_width(used)), 0, most_shift);
+              shift = std::clamp(config.dir_bits - 1 + drop - int(std::bit_width(used)), 0, max_shift);
     const std::int32_t most = (1 << (config.dir_bits - 1)) - 1,
                        least = config.has_instances() ? -most : -most - 1;   // a mirror needs its opposite
     Vec3i d{};
@@ -88,8 +88,8 @@ Ray spawn_ray(const Spawn& spawn, const Frame& frame, const Config& config) {
                   : make_ray(spawn.o, spawn.d, config, kind);
     ray.ray = spawn.ray;
     ray.self = spawn.self;
-    ray.inside = spawn.inside;
-    ray.partial = spawn.partial;
+    ray.is_inside = spawn.is_inside;
+    ray.is_partial = spawn.is_partial;
     ray.holes = spawn.holes;
     ray.home = spawn.home;
     return ray;

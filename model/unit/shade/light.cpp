@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "model/unit/shade/dot.hpp"
 #include "model/unit/shade/bounce.hpp"
+#include "model/unit/shade/dot.hpp"
 #include "model/unit/shade/power.hpp"
 #include "model/unit/shade/unit_vector.hpp"
 #include "model/unit/xform/xform.hpp"
@@ -35,11 +35,11 @@ LightOut light(const Frame& frame, const Config& c, ShadeState& state, const Pla
     const bool near = frame.shade.near[state.light] != 0;
     out.d = direction_of(unit, c);
     if (near)   // from the light; for a point beyond the lattice only the direction is representable
-        for (std::size_t k = 0; k < 3; ++k) out.d[k] = state.far ? -out.d[k] : std::int32_t(-to[k]);
+        for (std::size_t k = 0; k < 3; ++k) out.d[k] = state.is_far ? -out.d[k] : std::int32_t(-to[k]);
     // The side seen, exactly: the ray's own direction decides.
     if (c.has_homes())
-        out.home = near && !state.far ? home_from({place[0], place[1], place[2]}, state, placement, c)
-                                      : home_of(state, out.d, placement, c);
+        out.home = near && !state.is_far ? home_from({place[0], place[1], place[2]}, state, placement, c)
+                                         : home_of(state, out.d, placement, c);
     const Vec3i& way = c.has_homes() ? out.home.d : out.d;
     for (std::size_t k = 0; k < 3; ++k) side += Wide(state.n[k]) * way[k];
     if (near) side = -side;

@@ -38,7 +38,7 @@ ShadeEvent after_lights(const ShadeState& s, const Frame& frame, const Config& c
 /// Sets the event after a surface or a light: light number `light`, or the event after the last light.
 void next_light(ShadeState& s, std::uint32_t light, const Frame& frame, const Config& c) {
     s.light = light;
-    s.next_event = std::uint32_t(light < frame.shade.lights ? ShadeEvent::light : after_lights(s, frame, c));
+    s.next_event = light < frame.shade.lights ? ShadeEvent::light : after_lights(s, frame, c);
 }
 
 Spawn spawn_of(const PassIn& in, const ShadeState& s, RayKind kind) {
@@ -67,10 +67,10 @@ std::uint32_t pane_of(const Surface& surface, const Config& c) {
 /// Sends the hit to tex. The texture event handles the answer.
 void request_texture(const PassIn& in, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
-    s.next_event = std::uint32_t(ShadeEvent::texture);
+    s.next_event = ShadeEvent::texture;
     out.leave = PassOut::Leave::texture;
     out.tex = {in.ray, s.record, s.path, s.cosine, in.hit.u, in.hit.v, in.placement.texel_scale};
-    if (s.round) {
+    if (s.is_round) {
         const auto [u, v] = octahedral(s, c);
         out.tex.u = u, out.tex.v = v;
     }
@@ -83,22 +83,22 @@ void arrive(const PassIn& in, const Frame& frame, const Config& c, PassOut& out)
     }
     if (in.hit.found) {
         add(s.colour, surf(in, c, s));
-        s.across = s.cell ^ pane_of(in.surface, c);
+        s.across = s.in_cell ^ pane_of(in.surface, c);
         next_light(s, 0, frame, c);
         if (c.has_homes())
-            s.next_event = std::uint32_t(ShadeEvent::transform);
+            s.next_event = ShadeEvent::transform;
         else if (s.record != 0)
             request_texture(in, c, out);
         return;
     }
     see_background(s, s.weight, frame);
-    s.next_event = std::uint32_t(ShadeEvent::pop);
+    s.next_event = ShadeEvent::pop;
 }
 
 /// Returns the origin of a ray from the surface; empty if the ray misses the lattice.
 std::optional<Vec3i> start_of(const ShadeState& s, const Vec3i& d, const Config& c) {
-    if (s.lost) return std::nullopt;
-    if (s.far) return approach(s.o, d, c);
+    if (s.is_lost) return std::nullopt;
+    if (s.is_far) return approach(s.o, d, c);
     return Vec3i{std::int32_t(s.o[0]), std::int32_t(s.o[1]), std::int32_t(s.o[2])};
 }
 
@@ -110,7 +110,7 @@ struct Origin {
 };
 std::optional<Origin> bounce_start(const ShadeState& s, const Vec3i& d, bool through, const Config& c) {
     if (const std::optional<Vec3i> start = start_of(s, d, c)) return Origin{*start, false};
-    if (!c.horizon || s.lost) return std::nullopt;
+    if (!c.horizon || s.is_lost) return std::nullopt;
     Origin far{{}, true};
     for (std::size_t k = 0; k < 3; ++k)
         far.o[k] = std::int32_t((s.o[k] >> far_drop) + ((s.n[k] < 0) == through));
@@ -134,24 +134,24 @@ void send_shadow(const PassIn& in, const Frame& frame, const Config& c, PassOut&
     const std::uint32_t index = s.light;
     next_light(s, index + 1, frame, c);
     const bool near = frame.shade.near[index] != 0,
-               clear = frame.shade.clear[index] != 0 && frame.shade.cell[index] == s.cell;
-    if (!found.counts || (s.far && !clear)) return;
+               clear = frame.shade.clear[index] != 0 && frame.shade.cell[index] == s.in_cell;
+    if (!found.counts || (s.is_far && !clear)) return;
     std::optional<Vec3i> start;
     if (!near)
         start = start_of(s, found.d, c);
-    else if (!s.lost)
+    else if (!s.is_lost)
         start = light_place(frame, index, c);
     if (!start) {
-        s.pending = std::uint32_t(Pending::sure);
+        s.pending = Pending::sure;
         return;
     }
-    s.pending = std::uint32_t(Pending::answer);
+    s.pending = Pending::answer;
     out.leave = PassOut::Leave::spawn;
-    const bool to_the_point = near && !s.far;
+    const bool to_the_point = near && !s.is_far;
     out.spawn = spawn_of(in, s, to_the_point ? RayKind::shadow : RayKind::away);
-    out.spawn.self = s.self, out.spawn.inside = s.inside;
+    out.spawn.self = s.self, out.spawn.is_inside = s.is_inside;
     out.spawn.holes = s.light_holes;
-    out.spawn.partial = c.planes && !to_the_point && clear;
+    out.spawn.is_partial = c.planes && !to_the_point && clear;
     out.spawn.o = *start;
     out.spawn.d = found.d;
     out.spawn.home = found.home;
@@ -159,13 +159,13 @@ void send_shadow(const PassIn& in, const Frame& frame, const Config& c, PassOut&
 
 void send_bounce(const PassIn& in, const Waiting& ray, PassOut& out) {
     ShadeState& s = out.state;
-    s.weight = ray.weight, s.depth = ray.depth, s.cell = ray.cell, s.path = ray.path;
+    s.weight = ray.weight, s.depth = ray.depth, s.in_cell = ray.in_cell, s.path = ray.path;
     s.holes = 0;
-    s.next_event = std::uint32_t(ShadeEvent::arrive);
+    s.next_event = ShadeEvent::arrive;
     out.leave = PassOut::Leave::spawn;
     out.spawn = spawn_of(in, s, RayKind::bounce);
     out.spawn.o = ray.o, out.spawn.d = ray.d;
-    out.spawn.self = ray.self, out.spawn.inside = ray.inside, out.spawn.partial = ray.partial;
+    out.spawn.self = ray.self, out.spawn.is_inside = ray.is_inside, out.spawn.is_partial = ray.is_partial;
     out.spawn.home = ray.home;
 }
 
@@ -175,8 +175,8 @@ Waiting bounced(const ShadeState& s, const Origin& start, const BounceOut& found
             found.weight,
             s.depth + 1,
             s.self,
-            s.inside ^ std::uint32_t(through),
-            through ? s.across : s.cell,
+            s.is_inside ^ std::uint32_t(through),
+            through ? s.across : s.in_cell,
             start.is_far,
             s.path,
             found.home};
@@ -188,7 +188,7 @@ void send_refracted(const PassIn& in, const Frame& frame, const Config& c, PassO
     ShadeState& s = out.state;
     const BounceOut found = refract(c, s, in.placement);
     s.total = found.total;
-    s.next_event = std::uint32_t(ShadeEvent::reflect);
+    s.next_event = ShadeEvent::reflect;
     if (!weighs_enough(found.weight, s.depth + 1, frame)) return;
     out.refracted = true;
     if (!found.goes) return;
@@ -203,7 +203,7 @@ void send_refracted(const PassIn& in, const Frame& frame, const Config& c, PassO
 void send_reflected(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
     const BounceOut found = reflect(c, s, in.placement);
-    s.next_event = std::uint32_t(ShadeEvent::pop);
+    s.next_event = ShadeEvent::pop;
     if (!weighs_enough(found.weight, s.depth + 1, frame) || !found.goes) return;
     const std::optional<Origin> start = bounce_start(s, found.d, false, c);
     out.passes_by = !start;
@@ -216,19 +216,19 @@ void send_reflected(const PassIn& in, const Frame& frame, const Config& c, PassO
 void show_texture(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
     const Colour ambient = apply_texture(in.texel, s);
-    static_assert(most_holes == (1 << hole_bits) - 1);
-    if (!in.hole || s.holes == most_holes) {
+    static_assert(max_holes == (1 << hole_bits) - 1);
+    if (!in.hole || s.holes == max_holes) {
         add(s.colour, ambient);
         return next_light(s, 0, frame, c);
     }
     ++s.holes;
-    s.next_event = std::uint32_t(ShadeEvent::arrive);
+    s.next_event = ShadeEvent::arrive;
     out.refracted = true;
     out.leave = PassOut::Leave::spawn;
     out.spawn = spawn_of(in, s, RayKind::bounce);
     for (std::size_t k = 0; k < 3; ++k) out.spawn.o[k] = std::int32_t(s.o[k]);
     out.spawn.d = in.d;
-    out.spawn.self = s.self, out.spawn.inside = s.inside;
+    out.spawn.self = s.self, out.spawn.is_inside = s.is_inside;
     if (c.has_homes()) out.spawn.home = home_of(s, in.d, in.placement, c);
 }
 
@@ -238,7 +238,7 @@ void show_texture(const PassIn& in, const Frame& frame, const Config& c, PassOut
 void request_cutout(const PassIn& in, PassOut& out) {
     const std::uint32_t record = in.surface.record;
     if (record == 0) return;
-    out.state.pending = std::uint32_t(Pending::texture);
+    out.state.pending = Pending::texture;
     out.leave = PassOut::Leave::texture;
     out.tex = {in.ray, record, in.state.path, full_weight, in.hit.u, in.hit.v, in.placement.texel_scale};
 }
@@ -258,8 +258,8 @@ void finish(const PassIn& in, const Frame& frame, const Config& c, PassOut& out)
     if (c.supersampling && done < all && !first) {
         s.sample = done;
         s.colour = {};
-        s.weight = full_weight, s.depth = 0, s.cell = 0, s.path = 0, s.holes = 0;
-        s.next_event = std::uint32_t(ShadeEvent::arrive);
+        s.weight = full_weight, s.depth = 0, s.in_cell = 0, s.path = 0, s.holes = 0;
+        s.next_event = ShadeEvent::arrive;
         out.leave = PassOut::Leave::spawn;
         out.spawn = spawn_of(in, s, RayKind::camera);
         return;
@@ -277,12 +277,10 @@ void finish(const PassIn& in, const Frame& frame, const Config& c, PassOut& out)
 }   // namespace
 
 bool passes_hole(const PassIn& in) {
-    return Pending(in.state.pending) == Pending::texture && in.hole && in.state.light_holes < most_holes;
+    return in.state.pending == Pending::texture && in.hole && in.state.light_holes < max_holes;
 }
 
-ShadeEvent event_of(const PassIn& in) {
-    return passes_hole(in) ? ShadeEvent::light : ShadeEvent(in.state.next_event);
-}
+ShadeEvent event_of(const PassIn& in) { return passes_hole(in) ? ShadeEvent::light : in.state.next_event; }
 
 ShadeState fresh_state(std::uint32_t x, std::uint32_t y) {
     ShadeState s;
@@ -296,9 +294,9 @@ PassOut pass(const PassIn& in, const Frame& frame, const Config& c) {
     PassOut out;
     out.state = in.state;
     ShadeState& s = out.state;
-    const Pending pending = Pending(s.pending);
+    const Pending pending = s.pending;
     if (pending == Pending::sure || (pending == Pending::answer && !in.hit.found)) add(s.colour, s.share);
-    s.pending = std::uint32_t(Pending::none);
+    s.pending = Pending::none;
     if (meets_cutout(in)) {
         request_cutout(in, out);
         return out;

@@ -4,7 +4,7 @@
 
 namespace rayclock {
 
-/// True if a shadow ray has met a hole, and its light has passed fewer than most_holes before. The pass then
+/// True if a shadow ray has met a hole, and its light has passed fewer than max_holes before. The pass then
 /// repeats the event `light`: it sends the ray again, and this ray ignores one more cut-out.
 bool passes_hole(const PassIn& in);
 /// Returns the event that a pass handles, unless meets_cutout().

@@ -10,7 +10,7 @@ namespace rayclock {
 /// Logarithm and power are tables of 128 entries with linear interpolation. -log2(c) errs by -0.5..4 units of
 /// 2^-18. So for the true value p the result lies between (1 - 1.1e-2 n / 2^14) p - 2^-16 and (1 + 1.4e-3 n /
 /// 2^14) p + 2 * 2^-16. Near c = 1, where large n matter, the logarithm errs by half of that, so the loss
-/// never exceeds 2^-8 (tests/unit/power_test.cpp).
+/// never exceeds 2^-8 (tests/unit/fixed/power_test.cpp).
 std::uint32_t power(std::uint32_t c, std::uint32_t n);
 
 }   // namespace rayclock

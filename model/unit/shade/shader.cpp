@@ -44,7 +44,7 @@ void Shader::read_texture() {
                  unpack<TexRecord>(image_->line(out_.tex.record), *config_),
                  {},
                  {},
-                 Pending(out_.state.pending) == Pending::texture};
+                 out_.state.pending == Pending::texture};
     read.place = texel_place(read.request, read.record, frame_->shade.spread, *config_);
     Line texels;
     std::copy_n(image_->line(read.place.line), texels.size(), texels.begin());
@@ -61,7 +61,7 @@ int Shader::run() {
     do {
         const ShadeEvent event = event_of(in_);
         const bool was_cutout = meets_cutout(in_), was_hole = passes_hole(in_),
-                   has_texel = Pending(in_.state.pending) == Pending::texture;
+                   has_texel = in_.state.pending == Pending::texture;
         if (event == ShadeEvent::pop && in_.state.waiting > 0) in_.top = stack_.back();
         out_ = pass(in_, *frame_, *config_);
         if (event == ShadeEvent::pop && out_.leave == PassOut::Leave::spawn && !stack_.empty())
@@ -71,7 +71,7 @@ int Shader::run() {
             stack_.push_back(out_.pushed);
         }
         if (event == ShadeEvent::light && out_.leave == PassOut::Leave::again &&
-            Pending(out_.state.pending) == Pending::sure)
+            out_.state.pending == Pending::sure)
             signature_.asked(false);   // nothing can block the light, so no ray is sent
         if ((has_texel && !was_hole) || (was_cutout && out_.leave == PassOut::Leave::again))
             signature_.asked(true);   // the cut-out hides the light

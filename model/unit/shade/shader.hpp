@@ -103,7 +103,7 @@ public:
     const RayCounts& counts() const { return counts_; }
 
 private:
-    bool is_arrival() const { return in_.state.next_event == std::uint32_t(ShadeEvent::arrive); }
+    bool is_arrival() const { return in_.state.next_event == ShadeEvent::arrive; }
     void count(ShadeEvent event);
     void read_texture();
 

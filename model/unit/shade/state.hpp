@@ -25,7 +25,8 @@ enum class Pending : std::uint32_t {
 
 /// The state of a context. Fractions have unit_bits bits unless stated otherwise.
 struct ShadeState {
-    std::uint32_t next_event = 0, pending = 0;
+    ShadeEvent next_event = ShadeEvent::arrive;
+    Pending pending = Pending::none;
     // The pixel.
     std::uint32_t x = 0, y = 0, sample = 0;
     std::array<std::uint32_t, 3> sum{}, least{}, most{};      ///< of the finished samples' colours
@@ -35,10 +36,10 @@ struct ShadeState {
     std::uint32_t waiting = 0;               ///< rays on the context's stack
     // The ray in flight, or the last one.
     std::uint32_t weight = 0, depth = 0;
-    std::uint32_t cell = 0;     ///< a bit for each pane, set if it lies between the ray and the eye
-    std::uint32_t across = 0;   ///< the cell on the other side of the surface that was hit
-    std::uint32_t path = 0;     ///< with textures: length of the path so far, as in TexReq
-    std::uint32_t holes = 0;    ///< with textures: number that the ray has passed; at most most_holes
+    std::uint32_t in_cell = 0;   ///< a bit for each pane, set if it lies between the ray and the eye
+    std::uint32_t across = 0;    ///< the cell on the other side of the surface that was hit
+    std::uint32_t path = 0;      ///< with textures: length of the path so far, as in TexReq
+    std::uint32_t holes = 0;     ///< with textures: number that the ray has passed; at most max_holes
     // The surface that was hit.
     Vec3l o{};       ///< B fraction bits: a point exactly on it (nearly on it for a sphere or an instance)
     Vec3l inner{};   ///< with two levels: a point exactly on it in the mesh's space, B fraction bits
@@ -47,18 +48,18 @@ struct ShadeState {
     Vec3l n{};
     std::array<std::int32_t, 3> normal{}, view{};   ///< unit vectors
     std::uint32_t cosine = 0;                       ///< normal . view, at least 0
-    std::uint32_t far = 0;                          ///< o lies on a plane and beyond the lattice
-    std::uint32_t lost = 0;   ///< o cannot represent the point: no ray from there is traced
-    std::uint32_t self = 0, inside = 0;
+    std::uint32_t is_far = 0;                       ///< o lies on a plane and beyond the lattice
+    std::uint32_t is_lost = 0;   ///< o cannot represent the point: no ray from there is traced
+    std::uint32_t self = 0, is_inside = 0;
     std::array<std::uint32_t, 3> albedo{};   ///< from here on as in Surface
     std::uint32_t diffuse = 0, highlight = 0, mirror = 0, transmit = 0, shine = 0, ratio = 0, schlick = 0,
                   r0 = 0;
     std::uint32_t ambient = 0, record = 0;   ///< with textures
-    std::uint32_t round = 0;                 ///< with textures and spheres: the surface is a sphere
+    std::uint32_t is_round = 0;              ///< with textures and spheres: the surface is a sphere
     // The light.
     std::uint32_t light = 0;
     std::array<std::uint32_t, 3> share{};   ///< its contribution if it is not blocked
-    /// With textures: number of holes that the light has passed on its way, at most most_holes.
+    /// With textures: number of holes that the light has passed on its way, at most max_holes.
     std::uint32_t light_holes = 0;
     std::uint32_t total = 0;   ///< the refracted ray was totally reflected
     friend bool operator==(const ShadeState&, const ShadeState&) = default;
@@ -81,7 +82,7 @@ struct ShadeState {
         v_("depth", depth, depth_bits);
         v_("light", light, 7);
         if (c.panes > 0) {
-            v_("in_cell", cell, c.panes);
+            v_("in_cell", in_cell, c.panes);
             v_("across", across, c.panes);
         }
         if (c.has_textures()) {
@@ -95,8 +96,8 @@ struct ShadeState {
         v_("cosine", cosine, unit_bits + 1);
         if (c.has_homes()) v_("inner", inner, c.origin_width(), 3);
         v_("n", n, c.normal_bits(), 3);
-        v_("is_far", far, 1);
-        v_("is_lost", lost, 1);
+        v_("is_far", is_far, 1);
+        v_("is_lost", is_lost, 1);
         v_("albedo", albedo, share_bits + 1, 3);
         v_("share", share, unit_bits + 1, 3);
         v_("sample", sample, sample_bits);
@@ -112,33 +113,33 @@ struct ShadeState {
         if (c.has_textures()) {
             v_("ambient", ambient, share_bits + 1);
             v_("record", record, c.addr_bits);
-            if (c.spheres) v_("is_round", round, 1);
+            if (c.spheres) v_("is_round", is_round, 1);
         }
         v_("transmit", transmit, unit_bits + 1);
         v_("ratio", ratio, ratio_bits);
         v_("schlick", schlick, 1);
         v_("r0", r0, unit_bits + 1);
         v_("self", self, c.prim_bits);
-        v_("is_inside", inside, 1);
+        v_("is_inside", is_inside, 1);
     }
 };
 
 /// A refracted ray that waits until the reflected ray's tree is done.
 struct Waiting {
     Vec3i o{}, d{};   ///< B fraction bits; M bits
-    std::uint32_t weight = 0, depth = 0, self = 0, inside = 0;
-    std::uint32_t cell = 0, partial = 0;   ///< as in ShadeState and Ray
-    std::uint32_t path = 0;                ///< as in ShadeState
-    Home home;                             ///< its d has M bits here
+    std::uint32_t weight = 0, depth = 0, self = 0, is_inside = 0;
+    std::uint32_t in_cell = 0, is_partial = 0;   ///< as in ShadeState and Ray
+    std::uint32_t path = 0;                      ///< as in ShadeState
+    Home home;                                   ///< its d has M bits here
     template <class V> void fields(V& v, const Config& c) {
         v("o", o, c.origin_width(), 3);
         v("d", d, c.dir_bits, 3);
         v("weight", weight, unit_bits + 1);
         v("depth", depth, depth_bits);
         v("self", self, c.prim_bits);   // of spheres only
-        v("is_inside", inside, 1);
-        if (c.panes > 0) v("in_cell", cell, c.panes);
-        if (c.horizon) v("is_partial", partial, 1);
+        v("is_inside", is_inside, 1);
+        if (c.panes > 0) v("in_cell", in_cell, c.panes);
+        if (c.horizon) v("is_partial", is_partial, 1);
         if (c.has_textures()) v("path", path, c.path_bits());
         if (!c.has_homes()) return;
         v("home", home.line, c.addr_bits);
@@ -166,7 +167,7 @@ struct PassIn {
 };
 /// True if a shadow ray has met a cut-out. The pass requests its texture and handles no event.
 inline bool meets_cutout(const PassIn& in) {
-    return Pending(in.state.pending) == Pending::answer && in.hit.found && in.hit.cutout;
+    return in.state.pending == Pending::answer && in.hit.found && in.hit.cutout;
 }
 /// Intermediate values of a light's pass, for judges.
 struct LightParts {

@@ -83,7 +83,7 @@ void set_view(const PassIn& in, ShadeState& state) {
 
 void transform_surface(const PassIn& in, const Config& c, ShadeState& state) {
     state.inner = state.o;
-    if (in.placement.same) return;
+    if (in.placement.is_same) return;
     ray_at(in, c, state.o);
     Vec3l toward{};
     for (std::size_t k = 0; k < 3; ++k)
@@ -99,7 +99,7 @@ std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& c, ShadeState&
                is_plane = c.planes && PrimKind(s.kind) == PrimKind::plane;
     const int b = c.origin_bits;
     Vec3l toward{};   // the normal before normalisation
-    state.far = state.lost = 0;
+    state.is_far = state.is_lost = 0;
     bool ends = false;
     if (is_sphere) {
         ray_at(in, c, state.o);
@@ -109,18 +109,18 @@ std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& c, ShadeState&
         const int fine = is_plane ? 0 : int(s.fine);
         const FineWeights p = fine_weights(in.hit, is_plane, b + fine, c);
         state.n = edges_cross(s);
-        state.lost = ends = p.ends;
+        state.is_lost = ends = p.ends;
         for (std::size_t k = 0; k < 3; ++k) {
             const std::int64_t e1 = std::int64_t(s.b[k]) - s.a[k], e2 = std::int64_t(s.c[k]) - s.a[k];
-            state.lost |= saturate((std::int64_t(s.a[k]) << b) + ((p.u * e1 + p.v * e2) >> fine),
-                                   c.point_width(), state.o[k]);
-            state.far |= c.planes && std::abs(state.o[k]) > lattice_end(c);
+            state.is_lost |= saturate((std::int64_t(s.a[k]) << b) + ((p.u * e1 + p.v * e2) >> fine),
+                                      c.point_width(), state.o[k]);
+            state.is_far |= c.planes && std::abs(state.o[k]) > lattice_end(c);
             toward[k] = c.smooth && s.smooth ? ((std::int64_t(1) << (b + fine)) - p.u - p.v) * s.normal[k] +
                                                    p.u * s.normal[3 + k] + p.v * s.normal[6 + k]
                                              : state.n[k];
         }
     }
-    state.far |= state.lost;
+    state.is_far |= state.is_lost;
     for (std::size_t k = 0; k < 3; ++k) {
         if (in.hit.back) state.n[k] = -state.n[k], toward[k] = -toward[k];
     }
@@ -128,7 +128,7 @@ std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& c, ShadeState&
     set_view(in, state);
     state.albedo = albedo_of(s, is_plane, in.hit, ends, c);
     state.self = in.hit.prim;
-    state.inside = in.hit.back;
+    state.is_inside = in.hit.back;
     state.diffuse = s.diffuse, state.highlight = s.highlight, state.mirror = s.mirror,
     state.transmit = s.transmit;
     state.shine = s.shine, state.schlick = s.schlick, state.r0 = s.r0;
@@ -136,7 +136,7 @@ std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& c, ShadeState&
 
     if (c.has_textures()) {
         state.ambient = s.ambient, state.record = s.record;
-        state.round = c.spheres && PrimKind(s.kind) == PrimKind::sphere;
+        state.is_round = c.spheres && PrimKind(s.kind) == PrimKind::sphere;
         state.path = path_to(in, state, c);
         if (s.record != 0) return {};   // the texture event adds it
     }
@@ -155,7 +155,7 @@ std::array<std::uint32_t, 2> octahedral(const ShadeState& state, const Config& c
     std::array<std::int64_t, 3> n{};
     std::int64_t sum = 1;
     for (std::size_t k = 0; k < 3; ++k) {
-        n[k] = state.inside ? -state.normal[k] : state.normal[k];
+        n[k] = state.is_inside ? -state.normal[k] : state.normal[k];
         sum += std::abs(n[k]);
     }
     const std::int64_t half = std::int64_t(1) << (c.bary_bits - 1);

@@ -50,11 +50,13 @@ public:
     /// True while it is still busy with the first stage of a pass and accepts no other.
     bool is_occupied() const { return hold_left_ > 0; }
     bool ready() const { return pass_.ready() & !is_occupied(); }   ///< can accept a surface
-    /// Returns the cause of this cycle, a code of units.hpp. `surface`: one arrived. `surface_waits`: a
-    /// surface is requested and has not arrived.
-    std::uint32_t code(bool surface, bool surface_waits) const {
-        if (is_occupied()) return 0;
-        return offers(surface) ? (pass_.ready() ? 0 : 3) : surface_waits ? 1 : 2;
+    /// The causes of a cycle, by their codes in the row of shade in model/machine/units.hpp.
+    enum Code : std::uint8_t { busy, starved_by_memory, starved_by_list, stalled_by_queue };
+    /// Returns the cause of this cycle. `surface`: one arrived. `surface_waits`: a surface is requested and
+    /// has not arrived.
+    Code code(bool surface, bool surface_waits) const {
+        if (is_occupied() || (offers(surface) && pass_.ready())) return busy;
+        return offers(surface) ? stalled_by_queue : surface_waits ? starved_by_memory : starved_by_list;
     }
     bool offers(bool surface) const {
         return surface | !again_.empty() | !arrived_.empty() | !textured_.empty();

@@ -7,7 +7,7 @@ namespace rayclock {
 /// Returns 2^18 / sqrt(s) for s = 1 + `sum` / 2^17 from 1 to 4, by a table of 384 entries and linear
 /// interpolation over 10 bits. `sum` is a whole number below 3 * 2^17. For every s from there to the next one
 /// the result is less than 0.5 too small and less than 3.7 too large. At the given s it errs by -0.24 * 2^-16
-/// to 0.91 * 2^-16 (tests/unit/unit_vector_test.cpp tries them all).
+/// to 0.91 * 2^-16 (tests/unit/fixed/unit_vector_test.cpp tries them all).
 std::uint32_t inverse_root(std::uint32_t sum);
 
 /// Returns v / |v| with unit_bits fraction bits, -2^16..2^16; zero for zero. v has at most 63 bits and a

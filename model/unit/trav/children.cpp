@@ -3,18 +3,18 @@
 
 namespace rayclock {
 
-Children children_of(const BoxRsp& boxes) {
-    Children children{boxes.base, boxes.inner, boxes.t_near, {}};
-    for (std::size_t i = 0; i < max_width; ++i) children.slot[i] = boxes.offset[i] >> 1;
+Children children_of(const NodeAnswer& answer) {
+    Children children{answer.base, answer.inner, answer.t_near, {}};
+    for (std::size_t i = 0; i < max_width; ++i) children.slot[i] = answer.offset[i] >> 1;
     return children;
 }
 
-Leaves leaves_of(const BoxRsp& boxes) {
-    Leaves leaves{boxes.ray, boxes.base, boxes.leaves, {}, {}, {}};
-    for (std::size_t i = 0; i < boxes.leaves; ++i) {
-        leaves.t_near[i] = boxes.t_near[boxes.inner + i];
-        leaves.offset[i] = boxes.offset[boxes.inner + i];
-        leaves.count[i] = boxes.count[boxes.inner + i];
+Leaves leaves_of(const NodeAnswer& answer) {
+    Leaves leaves{answer.ray, answer.base, answer.leaves, {}, {}, {}};
+    for (std::size_t i = 0; i < answer.leaves; ++i) {
+        leaves.t_near[i] = answer.t_near[answer.inner + i];
+        leaves.offset[i] = answer.offset[answer.inner + i];
+        leaves.count[i] = answer.count[answer.inner + i];
     }
     return leaves;
 }

@@ -1,11 +1,11 @@
 #pragma once
-// box's answer in the parts that trav keeps and sends on.
+// A node unit's answer in the parts that trav keeps and sends on.
 #include "model/core/payloads.hpp"
 
 namespace rayclock {
 
-/// The inner children of a node that a ray meets, nearest first. trav keeps this part of box's answer until
-/// the node's leaves are tested. Entries beyond `inner` are ignored.
+/// The inner children of a node that a ray meets, nearest first. trav keeps this part of the answer until the
+/// node's leaves are tested. Entries beyond `inner` are ignored.
 struct Children {
     std::uint32_t base = 0;
     std::uint32_t inner = 0;
@@ -19,8 +19,8 @@ struct Children {
     }
 };
 
-/// Return the two parts of box's answer.
-Children children_of(const BoxRsp& boxes);
-Leaves leaves_of(const BoxRsp& boxes);
+/// Return the two parts of a node unit's answer.
+Children children_of(const NodeAnswer& answer);
+Leaves leaves_of(const NodeAnswer& answer);
 
 }   // namespace rayclock

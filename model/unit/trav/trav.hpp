@@ -1,8 +1,8 @@
 #pragma once
 // The unit trav in time. stack.hpp has its decisions.
 #include "model/core/ring.hpp"
-#include "model/unit/trav/stack.hpp"
 #include "model/core/stages.hpp"
+#include "model/unit/trav/stack.hpp"
 
 namespace rayclock {
 
@@ -60,8 +60,8 @@ public:
                                                     : nullptr;
     }
 
-    /// The inputs of one cycle: new rays, rays that box has answered and that have no leaf to test, rays that
-    /// list offers, and the outputs that were accepted.
+    /// The inputs of one cycle: new rays, rays that the node unit has answered and that have no leaf to test,
+    /// rays that list offers, and the outputs that were accepted.
     struct Moves {
         LinkRay ray, leafless, tested;
         bool node_taken = false, done_taken = false;

@@ -1,8 +1,8 @@
 // Writes the manual page and the completions of shells.
 #include "sim/app/options/manual.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"

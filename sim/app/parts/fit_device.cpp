@@ -7,10 +7,10 @@
 #include "model/base/interrupted.hpp"
 #include "model/base/quote.hpp"
 #include "sim/app/options/options.hpp"
+#include "sim/explore/balance/balance_report.hpp"
 #include "sim/explore/balance/scene_evaluator.hpp"
-#include "sim/explore/balance/report.hpp"
-#include "sim/silicon/chip/report.hpp"
 #include "sim/run/rtl/builder.hpp"
+#include "sim/silicon/chip/chip_report.hpp"
 
 namespace rayclock {
 
@@ -31,7 +31,7 @@ std::string no_machine(const DeviceFit& fit) {
 
 void route(DeviceFit& fit, const Scene& scene, FrameSize size, int threads, const Progress& progress,
            const PictureChoice& picture) {
-    jobs::Cache cache(rtl_cache() / "chip", fit.goal.fresh);
+    results::Cache cache(rtl_cache() / "chip", fit.goal.fresh);
     fit.routed = chip::run({fit.config, "chip", fit.goal.device, {1}, fit.goal.methods}, cache, progress);
     if (!fit.routed->fits()) return;
     balance::SceneEvaluator at_routed(scene, size, int(1000 * fit.routed->best().fmax_mhz), threads,

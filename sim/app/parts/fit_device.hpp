@@ -5,8 +5,8 @@
 
 #include "sim/app/parts/methods.hpp"
 #include "sim/explore/balance/search.hpp"
-#include "sim/silicon/chip/run.hpp"
 #include "sim/run/film/choice.hpp"
+#include "sim/silicon/chip/run.hpp"
 
 namespace rayclock {
 

@@ -8,14 +8,14 @@
 #include "model/base/nearest.hpp"
 #include "sim/app/options/command_line.hpp"
 #include "sim/app/run/sweep_run.hpp"
+#include "sim/explore/sweep/cost.hpp"
+#include "sim/explore/sweep/plot.hpp"
+#include "sim/explore/sweep/sweep_page.hpp"
+#include "sim/explore/sweep/table.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/streams.hpp"
 #include "sim/view/page/frame.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/explore/sweep/cost.hpp"
-#include "sim/explore/sweep/page.hpp"
-#include "sim/explore/sweep/plot.hpp"
-#include "sim/explore/sweep/table.hpp"
 
 namespace rayclock {
 

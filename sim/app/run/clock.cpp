@@ -10,7 +10,7 @@
 #include "model/base/quote.hpp"
 #include "model/base/split.hpp"
 #include "model/board/board_memory.hpp"
-#include "sim/app/options/options.hpp"
+#include "sim/app/run/typed_values.hpp"
 #include "sim/silicon/chip/clock.hpp"
 
 namespace rayclock {

@@ -5,7 +5,7 @@
 #include "sim/app/run/clock.hpp"
 #include "sim/app/run/stream_run.hpp"
 #include "sim/files/process/stopping.hpp"
-#include "sim/view/explain/page.hpp"
+#include "sim/view/explain/explain_page.hpp"
 #include "sim/view/observe/replay.hpp"
 
 namespace rayclock {

@@ -9,11 +9,11 @@
 
 #include "model/trace/hits.hpp"
 #include "sim/app/run/picture_folder.hpp"
-#include "sim/run/film/strip.hpp"
 #include "sim/files/image/image.hpp"
+#include "sim/run/film/strip.hpp"
+#include "sim/run/request/reference_picture.hpp"
 #include "sim/view/report/accounts.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/run/request/reference_picture.hpp"
 
 namespace rayclock {
 

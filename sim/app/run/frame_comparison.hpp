@@ -1,9 +1,9 @@
 #pragma once
 // Compares a machine's frame with the reference, for simulate and explain.
-#include "sim/judge/reference/reference.hpp"
 #include "sim/judge/cause/finished.hpp"
-#include "sim/view/report/json.hpp"
+#include "sim/judge/reference/reference.hpp"
 #include "sim/run/request/request.hpp"
+#include "sim/view/report/json.hpp"
 
 namespace rayclock {
 

@@ -50,11 +50,11 @@ double widest_of(const std::vector<sample::Sampled>& clocks) {
 
 double parse_share(const std::string& typed) {
     const double percent = parse_percent("--sample", typed, false);
-    if (percent > 100 * sample::most_share)
+    if (percent > 100 * sample::max_share)
         throw UserError(
             fmt::format("--sample: {} is more than {:g} %, where simulating the whole frame is "
                         "faster",
-                        shown(typed), 100 * sample::most_share));
+                        shown(typed), 100 * sample::max_share));
     return percent / 100;
 }
 
@@ -80,7 +80,7 @@ std::vector<sample::Sampled> run_sample(const Job& job, const std::vector<int>& 
     } else {
         factor = 0.8 * (parse_seconds(*choice.within) - seconds_gone - watch.seconds()) / pilot.seconds;
     }
-    ask.share = std::min(sample::most_share, 2.0 * pilot.strata / pilot.parts * std::max(1.0, factor));
+    ask.share = std::min(sample::max_share, 2.0 * pilot.strata / pilot.parts * std::max(1.0, factor));
     if (factor <= 1 || sample::strata_of(job.frame, job.config, ask.share) == pilot.strata) return sampled;
     // A sample of another size draws its parts independently of the first one, whose random error decided the
     // size.

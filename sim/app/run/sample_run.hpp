@@ -3,7 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "sim/app/options/options.hpp"
+#include <nlohmann/json.hpp>
+
+#include "sim/app/run/typed_values.hpp"
 #include "sim/run/sample/sample.hpp"
 
 namespace rayclock {

@@ -5,8 +5,8 @@
 #include <mutex>
 
 #include "sim/app/run/clock.hpp"
+#include "sim/files/process/parallel.hpp"
 #include "sim/files/process/stopping.hpp"
-#include "sim/files/process/threads.hpp"
 #include "sim/view/report/accounts.hpp"
 
 namespace rayclock {
@@ -21,7 +21,7 @@ std::vector<FramesAtClock> replay_clocks(const Job& job, const std::vector<int>&
     std::mutex mutex;
     std::vector<std::uint64_t> done(clocks.size());
     const std::uint64_t pixels = traces[0].trace.rays.size() * traces.size();
-    jobs::for_each(clocks.size(), threads, [&](std::size_t i) {
+    parallel::for_each(clocks.size(), threads, [&](std::size_t i) {
         const Progress replay_progress =
             !progress ? Progress{} : [&, i](std::string_view what, std::uint64_t n, std::uint64_t) {
                 const std::lock_guard lock(mutex);

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "model/trace/hits.hpp"
-#include "sim/app/run/frame_comparison.hpp"
 #include "sim/app/run/film_strip.hpp"
+#include "sim/app/run/frame_comparison.hpp"
 #include "sim/run/film/film.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/limits.hpp"

@@ -1,8 +1,8 @@
 // Runs a sweep and makes its report.
 #include "sim/app/run/sweep_run.hpp"
 
-#include "sim/app/options/options.hpp"
 #include "sim/app/run/clock.hpp"
+#include "sim/app/run/typed_values.hpp"
 #include "sim/explore/sweep/cost.hpp"
 #include "sim/explore/sweep/table.hpp"
 #include "sim/run/rtl/builder.hpp"
@@ -43,7 +43,7 @@ SweepResult run_sweep(SweepRequest ask, const Progress& progress) {
         picture = {ask.request.finished, ask.request.settings, settled_frames(ask.frames, scene), ask.view};
     std::vector<sweep::Point> points = points_of(ask);
     const std::vector<std::size_t> mine = keep_part(points, ask.shard);
-    jobs::Cache cache(rtl_cache() / "sweep", ask.fresh);
+    results::Cache cache(rtl_cache() / "sweep", ask.fresh);
     sweep::MergedSweep swept{scene_json(scene),
                              ask.request.config,
                              ask.size,
@@ -58,7 +58,7 @@ SweepResult run_sweep(SweepRequest ask, const Progress& progress) {
         {scene, ask.size, std::move(points), ask.threads, netlists, picture, ask.stream, ask.sample}, cache,
         progress);
     if (sweep::needs_area(cost) && !outcome.partial) {
-        jobs::Cache areas(rtl_cache() / "area", ask.fresh);
+        results::Cache areas(rtl_cache() / "area", ask.fresh);
         sweep::count_areas(outcome, ask.threads, areas, progress);
     }
     for (sweep::Result& result : outcome.results)

@@ -9,12 +9,12 @@
 #include "model/base/nearest.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
-#include "sim/run/frame/frame.hpp"
 #include "sim/files/image/image.hpp"
+#include "sim/run/frame/frame.hpp"
+#include "sim/run/rtl/builder.hpp"
 #include "sim/study/area.hpp"
 #include "sim/study/typed.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/run/rtl/builder.hpp"
 
 namespace rayclock {
 
@@ -66,7 +66,7 @@ int run_area(const AreaOptions& o) {
     o.json.check();
     if (!o.output.empty()) check_writable(o.output);
     const Progress progress = terminal_progress();
-    jobs::Cache cache(rtl_cache() / "area", o.fresh);
+    results::Cache cache(rtl_cache() / "area", o.fresh);
     const area::Areas areas = area::run(std::move(variants), o.units, o.threads, cache, progress);
     if (areas.partial)
         throw Interrupted("interrupted: no page was written; the same command continues where it stopped");

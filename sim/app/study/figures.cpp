@@ -12,10 +12,10 @@
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/files/image/image.hpp"
-#include "sim/study/figures/page.hpp"
+#include "sim/files/process/stopping.hpp"
+#include "sim/study/figures/figures_page.hpp"
 #include "sim/study/typed.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/files/process/stopping.hpp"
 
 namespace rayclock {
 

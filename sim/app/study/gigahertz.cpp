@@ -7,11 +7,11 @@
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/files/image/image.hpp"
-#include "sim/study/gigahertz/page.hpp"
-#include "sim/study/typed.hpp"
-#include "sim/view/report/text.hpp"
 #include "sim/files/process/interrupt.hpp"
 #include "sim/files/process/stopping.hpp"
+#include "sim/study/gigahertz/gigahertz_page.hpp"
+#include "sim/study/typed.hpp"
+#include "sim/view/report/text.hpp"
 
 namespace rayclock {
 

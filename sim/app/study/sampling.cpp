@@ -15,7 +15,7 @@ namespace rayclock {
 namespace {
 
 constexpr int usual_seeds = 300;
-constexpr double least_coverage = 0.93, most_coverage = 0.97;
+constexpr double least_coverage = 0.93, max_coverage = 0.97;
 
 struct SamplingOptions {
     std::string output;
@@ -50,7 +50,7 @@ int run_sampling(const SamplingOptions& o) {
                    rows.size() * std::size_t(o.seeds));
     }
     o.json.write(sampling::rows_json(rows));
-    return covered >= least_coverage && covered <= most_coverage ? 0 : 1;
+    return covered >= least_coverage && covered <= max_coverage ? 0 : 1;
 }
 
 }   // namespace

@@ -10,7 +10,7 @@
 #include "sim/app/options/options.hpp"
 #include "sim/files/image/image.hpp"
 #include "sim/files/process/stopping.hpp"
-#include "sim/study/scale/page.hpp"
+#include "sim/study/scale/scale_page.hpp"
 #include "sim/study/typed.hpp"
 #include "sim/view/report/text.hpp"
 

@@ -4,16 +4,16 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
-#include "model/engine/check.hpp"
 #include "model/base/quote.hpp"
+#include "model/engine/check.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
 #include "sim/files/image/image.hpp"
-#include "sim/study/structures/page.hpp"
+#include "sim/files/process/stopping.hpp"
+#include "sim/run/rtl/builder.hpp"
+#include "sim/study/structures/structures_page.hpp"
 #include "sim/study/typed.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/run/rtl/builder.hpp"
-#include "sim/files/process/stopping.hpp"
 
 namespace rayclock {
 
@@ -67,7 +67,7 @@ std::vector<structures::Areas> areas_of(const std::vector<structures::NamedStruc
         variants.push_back({structure.name, structure.config});
         variants.push_back({structure.name + ", all units", area::all_units(structure.config)});
     }
-    jobs::Cache cache(rtl_cache() / "area", o.fresh);
+    results::Cache cache(rtl_cache() / "area", o.fresh);
     const area::Areas areas = area::run(std::move(variants), {}, o.threads, cache, progress);
     if (areas.partial)
         throw Interrupted("interrupted: no page was written; the same command continues where it stopped");

@@ -9,7 +9,7 @@
 #include "sim/app/options/options.hpp"
 #include "sim/files/image/image.hpp"
 #include "sim/files/process/stopping.hpp"
-#include "sim/study/textures/page.hpp"
+#include "sim/study/textures/textures_page.hpp"
 #include "sim/study/typed.hpp"
 #include "sim/view/report/text.hpp"
 
@@ -33,7 +33,7 @@ void declare_textures(Parser& parser, TexturesOptions& o) {
         .by_commas()
         .with_default();
     parser.option("--size", o.size, "size of the pictures, WIDTHxHEIGHT").with_default();
-    parser.option("--depth", o.depth, "bounces of a camera ray").within(0, most_depth).with_default();
+    parser.option("--depth", o.depth, "bounces of a camera ray").within(0, max_depth).with_default();
     threads_option(parser, o.threads);
     json_option(parser, o.json);
 }

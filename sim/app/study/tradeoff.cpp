@@ -4,10 +4,10 @@
 #include "model/base/quote.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
+#include "sim/run/rtl/builder.hpp"
 #include "sim/study/tradeoff.hpp"
 #include "sim/study/typed.hpp"
 #include "sim/view/report/text.hpp"
-#include "sim/run/rtl/builder.hpp"
 
 namespace rayclock {
 
@@ -45,7 +45,7 @@ int run_tradeoff(const TradeoffOptions& o) {
     const Limits limits = limits_of(o.limits);
     sweep::check_tradeoff_paths(o.output, o.scenes);
     const Progress progress = terminal_progress();
-    jobs::Cache cache(rtl_cache() / "sweep", o.fresh);
+    results::Cache cache(rtl_cache() / "sweep", o.fresh);
     sweep::write_tradeoff(o.output, {o.scenes, size, o.threads, !o.no_netlist, limits}, command_of(o), cache,
                           progress);
     fmt::print("{} written\n", printable(o.output));

@@ -5,12 +5,12 @@
 #include "model/base/quote.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
-#include "sim/silicon/chip/clock.hpp"
 #include "sim/files/image/image.hpp"
-#include "sim/study/yardstick.hpp"
-#include "sim/view/report/text.hpp"
 #include "sim/files/process/interrupt.hpp"
 #include "sim/files/process/stopping.hpp"
+#include "sim/silicon/chip/clock.hpp"
+#include "sim/study/yardstick.hpp"
+#include "sim/view/report/text.hpp"
 
 namespace rayclock {
 

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <bit>
 
-#include "model/compile/compile.hpp"
-#include "model/engine/check.hpp"
 #include "model/base/error.hpp"
+#include "model/compile/compile.hpp"
 #include "model/core/parameters.hpp"
-#include "sim/silicon/area/run.hpp"
-#include "sim/run/rtl/builder.hpp"
+#include "model/engine/check.hpp"
 #include "sim/explore/sweep/run.hpp"
+#include "sim/run/rtl/builder.hpp"
+#include "sim/silicon/area/run.hpp"
 
 namespace rayclock::balance {
 

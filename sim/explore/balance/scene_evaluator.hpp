@@ -5,8 +5,8 @@
 
 #include "model/base/progress.hpp"
 #include "sim/explore/balance/search.hpp"
-#include "sim/run/film/choice.hpp"
 #include "sim/files/cache/results.hpp"
+#include "sim/run/film/choice.hpp"
 
 namespace rayclock::balance {
 
@@ -30,7 +30,7 @@ private:
     const Scene& scene_;
     FrameSize size_;
     int khz_, threads_;
-    jobs::Cache frames_, areas_;
+    results::Cache frames_, areas_;
     const Progress& progress_;
     PictureChoice picture_;
     std::map<int, CompileReport> reports_;   ///< by node_width

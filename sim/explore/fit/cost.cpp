@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "model/core/payloads.hpp"
 #include "model/engine/bvh/node.hpp"
 #include "model/unit/trav/children.hpp"
-#include "model/core/payloads.hpp"
 
 namespace rayclock::fit {
 

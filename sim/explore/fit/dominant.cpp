@@ -1,6 +1,6 @@
 // Looks for a material, or for a few triangles, that make a scene large.
-#include "model/base/quote.hpp"
 #include "sim/explore/fit/dominant.hpp"
+#include "model/base/quote.hpp"
 
 #include <algorithm>
 #include <functional>

@@ -4,15 +4,15 @@
 #include <limits>
 #include <stdexcept>
 
-#include "model/compile/compile.hpp"
-#include "model/compile/frame.hpp"
 #include "model/base/error.hpp"
 #include "model/base/interrupted.hpp"
+#include "model/compile/compile.hpp"
+#include "model/compile/frame.hpp"
 #include "model/trace/hits.hpp"
 #include "model/unit/raygen/raygen.hpp"
+#include "sim/files/process/stopping.hpp"
 #include "sim/judge/reference/reference.hpp"
 #include "sim/run/request/reference_picture.hpp"
-#include "sim/files/process/stopping.hpp"
 
 namespace rayclock::fit {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "model/scene/scene.hpp"
-#include "sim/run/film/choice.hpp"
 #include "sim/files/image/image.hpp"
+#include "sim/run/film/choice.hpp"
 
 namespace rayclock::fit {
 

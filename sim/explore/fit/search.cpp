@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "model/engine/check.hpp"
 #include "model/base/error.hpp"
-#include "model/scene/folded.hpp"
 #include "model/core/parameters.hpp"
+#include "model/engine/check.hpp"
+#include "model/scene/folded.hpp"
 
 namespace rayclock::fit {
 

@@ -2,8 +2,8 @@
 // The smallest formats that keep a bound.
 #include <optional>
 
-#include "sim/explore/fit/cost.hpp"
 #include "model/core/parameters.hpp"
+#include "sim/explore/fit/cost.hpp"
 #include "sim/explore/fit/measure.hpp"
 
 namespace rayclock::fit {

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "sim/judge/oracle/extra_visits.hpp"
-#include "sim/judge/oracle/overlap.hpp"
 #include "model/compile/compile.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "sim/explore/stress/controls.hpp"
+#include "sim/judge/oracle/extra_visits.hpp"
+#include "sim/judge/oracle/overlap.hpp"
 
 namespace rayclock::stress {
 

@@ -3,10 +3,10 @@
 #include <array>
 #include <memory>
 
-#include "model/unit/isect/primitive.hpp"
-#include "sim/judge/oracle/surface.hpp"
 #include "model/trace/walk.hpp"
+#include "model/unit/isect/primitive.hpp"
 #include "sim/explore/stress/families.hpp"
+#include "sim/judge/oracle/surface.hpp"
 
 namespace rayclock::stress {
 

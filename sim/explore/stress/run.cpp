@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "model/engine/check.hpp"
 #include "model/base/stopwatch.hpp"
-#include "sim/run/frame/frame.hpp"
+#include "model/engine/check.hpp"
 #include "sim/explore/stress/shadows.hpp"
 #include "sim/explore/stress/state.hpp"
-#include "sim/files/process/threads.hpp"
+#include "sim/files/process/parallel.hpp"
+#include "sim/run/frame/frame.hpp"
 
 namespace rayclock::stress {
 
@@ -164,7 +164,7 @@ Outcome run(const Plan& plan, const Progress& progress) {
                      done_rays, rays_all);
         if (watch.seconds() - saved > seconds_between_saves) save();
     };
-    jobs::in_order(
+    parallel::in_order(
         plan.threads, [&](std::size_t i) { return first + i < end && !interrupted(); }, make, take);
     save();
 

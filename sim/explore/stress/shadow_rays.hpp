@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "model/base/rng.hpp"
 #include "model/base/axes.hpp"
-#include "sim/judge/oracle/tree.hpp"
+#include "model/base/rng.hpp"
 #include "sim/judge/oracle/cross.hpp"
+#include "sim/judge/oracle/tree.hpp"
 
 namespace rayclock {
 

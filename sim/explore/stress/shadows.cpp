@@ -177,8 +177,8 @@ private:
     SurfacePoint lifted(const CameraHit& hit, const PrimData& prim, int facing) const {
         const glm::dvec3 n = normal(prim);
         const double step = facing * 1e-4 * double(1 << config_.coord_bits);
-        const glm::dvec3 at = (hit.near + step * n / glm::length(n)) * double(1 << most_origin_bits);
-        return {{std::llround(at.x), std::llround(at.y), std::llround(at.z)}, most_origin_bits};
+        const glm::dvec3 at = (hit.near + step * n / glm::length(n)) * double(1 << max_origin_bits);
+        return {{std::llround(at.x), std::llround(at.y), std::llround(at.z)}, max_origin_bits};
     }
 
     static glm::dvec3 place(const SurfacePoint& at) {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/judge/oracle/surface.hpp"
 #include "sim/explore/stress/shadow_rays.hpp"
+#include "sim/judge/oracle/surface.hpp"
 
 namespace rayclock {
 

@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "model/base/error.hpp"
+#include "sim/files/cache/results.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/json_value.hpp"
 #include "sim/files/text.hpp"
-#include "sim/files/cache/results.hpp"
 #include "sim/view/report/text.hpp"
 
 namespace rayclock::stress {
@@ -48,15 +48,16 @@ Counts counts_of(const JsonValue& in, std::uint64_t rays) {
 }
 
 std::string check_of(const ordered_json& batches, const ordered_json& counts) {
-    return jobs::hash_text(batches.dump() + counts.dump());   // protects against mistakes, not against malice
+    return results::hash_text(batches.dump() + counts.dump());   // protects against mistakes, not against
+                                                                 // malice
 }
 
 }   // namespace
 
 std::uint64_t read_state(const Plan& plan, std::vector<Cell>& cells, std::uint64_t batches_in_all,
                          const RaysOfCells& rays_after) {
-    constexpr std::uint64_t most_bytes = std::uint64_t{1} << 24;
-    return parse_state(plan, read_file(plan.state, {}, most_bytes, Owner::program), cells, batches_in_all,
+    constexpr std::uint64_t max_bytes = std::uint64_t{1} << 24;
+    return parse_state(plan, read_file(plan.state, {}, max_bytes, Owner::program), cells, batches_in_all,
                        rays_after);
 }
 

@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "model/engine/check.hpp"
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/split.hpp"
-#include "model/core/settled.hpp"
 #include "model/core/parameters.hpp"
+#include "model/core/settled.hpp"
+#include "model/engine/check.hpp"
 #include "sim/run/memory/memory_file.hpp"
 
 namespace rayclock::sweep {
@@ -41,7 +41,7 @@ std::vector<std::string> range(const std::string& list, const std::string& text)
         throw UserError("--axis: " + shown(list) + " in " + shown(text) +
                         " is not from:to:step with a step above 0");
     std::vector<std::string> values;
-    for (long long value = from; value <= to && values.size() <= most_points; value += step)
+    for (long long value = from; value <= to && values.size() <= max_points; value += step)
         values.push_back(std::to_string(value));
     return values;
 }
@@ -111,7 +111,7 @@ std::vector<Point> make_points(const std::vector<Axis>& axes, const Config& base
     };
     for (const Axis& axis : axes) {
         count *= axis.values.size();
-        if (count > most_points) throw UserError(fmt::format("--axis: more than {} points", most_points));
+        if (count > max_points) throw UserError(fmt::format("--axis: more than {} points", max_points));
     }
     std::vector<Point> points;
     std::vector<std::vector<std::size_t>> legal;   // [axis][value]: points

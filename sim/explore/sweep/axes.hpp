@@ -7,7 +7,7 @@
 
 namespace rayclock::sweep {
 
-constexpr std::size_t most_points = 10000;
+constexpr std::size_t max_points = 10000;
 
 /// An axis: one parameter or several linked ones, and its values.
 struct Axis {

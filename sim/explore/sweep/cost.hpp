@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <string>
 
+#include "model/base/progress.hpp"
 #include "model/core/config.hpp"
 #include "sim/files/cache/results.hpp"
-#include "model/base/progress.hpp"
 
 namespace rayclock::sweep {
 
@@ -32,6 +32,6 @@ struct Outcome;
 
 /// Counts the cells of all points that have RTL, each distinct unit once. Throws UserError if Yosys is
 /// missing. Stops early when interrupted(); the outcome is then partial.
-void count_areas(Outcome& outcome, int threads, jobs::Cache& cache, const Progress& progress);
+void count_areas(Outcome& outcome, int threads, results::Cache& cache, const Progress& progress);
 
 }   // namespace rayclock::sweep

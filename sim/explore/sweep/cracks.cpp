@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <atomic>
 
-#include "sim/judge/oracle/surface.hpp"
 #include "model/unit/raygen/raygen.hpp"
-#include "sim/files/process/threads.hpp"
+#include "sim/files/process/parallel.hpp"
+#include "sim/judge/oracle/surface.hpp"
 
 namespace rayclock::sweep {
 
@@ -45,7 +45,7 @@ std::uint64_t count_cracks(const Scene& scene, const Job& job, const std::vector
     const oracle::Surface surface(oracle::snapped(scene, job.image.lattice));
     const std::uint32_t width = job.frame.width, height = job.frame.height;
     std::atomic<std::uint64_t> cracks = 0;
-    jobs::for_each(height, threads, [&](std::size_t y) {
+    parallel::for_each(height, threads, [&](std::size_t y) {
         std::uint64_t mine = 0;
         for (std::uint32_t x = 0; x < width; ++x)
             mine +=

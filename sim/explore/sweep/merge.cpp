@@ -10,11 +10,11 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/scene/camera.hpp"
+#include "sim/explore/sweep/table.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/json_value.hpp"
 #include "sim/run/request/config_file.hpp"
 #include "sim/run/stream/make_rays.hpp"
-#include "sim/explore/sweep/table.hpp"
 
 namespace rayclock::sweep {
 
@@ -52,7 +52,7 @@ void check_form(const JsonValue& in) {
     const auto stream = sweep.find("stream");
     if (stream && !stream->raw().is_null()) {
         for (const char* key : {"file", "digest"}) stream->at(key).string();
-        if (stream->at("rays").whole(most_rays + 1) == 0) stream->at("rays").expected("above 0");
+        if (stream->at("rays").whole(max_rays + 1) == 0) stream->at("rays").expected("above 0");
     } else {
         for (const char* key : {"width", "height"})
             if (in.at("frame").at(key).whole(max_frame_side + 1) == 0)

@@ -1,7 +1,7 @@
 #pragma once
 // Diagrams of a sweep.
-#include "sim/view/plot/chart.hpp"
 #include "sim/explore/sweep/front.hpp"
+#include "sim/view/plot/chart.hpp"
 
 namespace rayclock::sweep {
 

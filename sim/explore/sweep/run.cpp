@@ -12,16 +12,16 @@
 #include "model/base/error.hpp"
 #include "model/base/interrupted.hpp"
 #include "model/core/parameters.hpp"
-#include "sim/judge/reference/reference.hpp"
-#include "sim/run/memory/memory_file.hpp"
-#include "sim/run/request/reference_picture.hpp"
-#include "sim/files/process/stopping.hpp"
 #include "sim/explore/sweep/cracks.hpp"
 #include "sim/explore/sweep/key.hpp"
 #include "sim/explore/sweep/table.hpp"
+#include "sim/files/process/parallel.hpp"
+#include "sim/files/process/stopping.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/run/memory/memory_file.hpp"
+#include "sim/run/request/reference_picture.hpp"
 #include "sim/silicon/synth/netlist.hpp"
 #include "sim/silicon/synth/yosys.hpp"
-#include "sim/files/process/threads.hpp"
 
 namespace rayclock::sweep {
 
@@ -128,13 +128,13 @@ std::string picture_text(const Scene& scene, const PictureChoice& choice) {
 
 class Runner {
 public:
-    Runner(const Plan& plan, jobs::Cache& cache, const Progress& progress)
+    Runner(const Plan& plan, results::Cache& cache, const Progress& progress)
         : plan_(plan), cache_(cache), progress_(progress) {
         scene_key_ = fmt::format("program {} scene {} {}x{} {}", program_stamp(), scene_digest(plan.scene),
                                  plan.size.width, plan.size.height, picture_text(plan.scene, plan.picture));
         if (plan.stream) scene_key_ += "rays " + plan.stream->digest() + " ";
         if (plan.sample) scene_key_ += fmt::format("sample {} {} ", plan.sample->share, plan.sample->seed);
-        cores_ = jobs::threads_of(plan.threads);
+        cores_ = parallel::threads_of(plan.threads);
         for (const Point& point : plan.points) outcome_.results.push_back({point, nullptr, {}, {}, {}, {}});
         if (plan.stream)
             for (Result& r : outcome_.results)
@@ -151,7 +151,7 @@ public:
         for (auto& [format, group] : groups_)
             if (needs_trace(group)) tasks_.push_back([this, &group = group] { trace(group); });
         report_progress(0);
-        jobs::for_each(tasks_.size(), cores_, [&](std::size_t i) { tasks_[i](); });
+        parallel::for_each(tasks_.size(), cores_, [&](std::size_t i) { tasks_[i](); });
         outcome_.traces = groups_.size();
         return std::move(outcome_);
     }
@@ -269,7 +269,7 @@ private:
         if (plan_.sample) return sample_points(group, config);
         const std::vector<RecordedFrame> frames =
             plan_.stream ? record_stream(group, config) : record_film(group, config);
-        jobs::for_each(group.results.size(), cores_, [&](std::size_t i) {
+        parallel::for_each(group.results.size(), cores_, [&](std::size_t i) {
             Result& r = *group.results[i];
             if (r.refused()) return;
             if (r.clock.is_null())
@@ -397,7 +397,7 @@ private:
     }
 
     const Plan& plan_;
-    jobs::Cache& cache_;
+    results::Cache& cache_;
     const Progress& progress_;
     std::string scene_key_;
     int cores_ = 1, inner_threads_ = 1;
@@ -413,7 +413,7 @@ private:
 
 }   // namespace
 
-Outcome run(const Plan& plan, jobs::Cache& cache, const Progress& progress) {
+Outcome run(const Plan& plan, results::Cache& cache, const Progress& progress) {
     return Runner(plan, cache, progress).run();
 }
 

@@ -2,13 +2,13 @@
 // Computes the figures of all points in parallel. Computes only figures that are not cached.
 #include <optional>
 
+#include "sim/explore/sweep/axes.hpp"
+#include "sim/files/cache/results.hpp"
 #include "sim/run/film/choice.hpp"
 #include "sim/run/sample/sample.hpp"
 #include "sim/run/stream/input.hpp"
-#include "sim/view/report/json.hpp"
-#include "sim/explore/sweep/axes.hpp"
-#include "sim/files/cache/results.hpp"
 #include "sim/silicon/synth/parts.hpp"
+#include "sim/view/report/json.hpp"
 
 namespace rayclock::sweep {
 
@@ -76,6 +76,6 @@ struct Outcome {
 };
 
 /// Runs a sweep. Stops early when interrupted(); finished work is in the cache.
-Outcome run(const Plan& plan, jobs::Cache& cache, const Progress& progress);
+Outcome run(const Plan& plan, results::Cache& cache, const Progress& progress);
 
 }   // namespace rayclock::sweep

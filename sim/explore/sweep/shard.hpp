@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "model/scene/whitted.hpp"
+#include "sim/explore/sweep/axes.hpp"
 #include "sim/run/film/choice.hpp"
 #include "sim/run/sample/sample.hpp"
 #include "sim/run/stream/input.hpp"
-#include "sim/explore/sweep/axes.hpp"
 
 namespace rayclock::sweep {
 

@@ -1,7 +1,7 @@
 #pragma once
 // The figures of a sweep as table, CSV and JSON.
-#include "sim/view/report/limits.hpp"
 #include "sim/explore/sweep/front.hpp"
+#include "sim/view/report/limits.hpp"
 
 namespace rayclock::sweep {
 

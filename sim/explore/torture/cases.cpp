@@ -1,11 +1,11 @@
 // Builds the torture cases of a chip from images, frames and disturbances.
 #include "sim/explore/torture/cases.hpp"
 #include "model/compile/stream.hpp"
-#include "model/engine/engines.hpp"
 #include "model/engine/check.hpp"
+#include "model/engine/engines.hpp"
 
-#include "model/layout/words.hpp"
 #include "model/engine/none/page.hpp"
+#include "model/layout/words.hpp"
 #include "sim/explore/torture/frames.hpp"
 #include "sim/explore/torture/image.hpp"
 
@@ -182,7 +182,7 @@ private:
         TortureCase t = begin("large", image_of(specks(config_, dice_, 3), config_, dice_, "large"));
         constexpr std::uint32_t most = 1u << max_pixel_bits;
         for (const Size size : {Size{5, most}, Size{most, 1}}) {
-            Frame frame = diagonal_view({0, 0, most_of(config_.coord_bits)}, 1);
+            Frame frame = diagonal_view({0, 0, max_of(config_.coord_bits)}, 1);
             frame.width = size.width, frame.height = size.height;
             frame.corner[2] = -(std::int64_t(1) << (config_.dir_bits - 3 + guard_bits));
             frame.down[1] >>= 2;
@@ -289,7 +289,7 @@ private:
     void add_ends() {
         const std::vector<PrimData> prims = spans(config_, dice_, 16);
         TortureCase t = begin("ends", image_of(prims, config_, dice_, "ends"));
-        const std::int32_t most = most_of(config_.coord_bits);
+        const std::int32_t most = max_of(config_.coord_bits);
         for (const Vec3i& eye : {Vec3i{most, most, most}, Vec3i{-most, most, -most}, Vec3i{most, -most, 0}})
             add(t, diagonal_view(eye, 1 << (config_.dir_bits - 4)));
         add(t, brim_view({most, most, most}, config_));
@@ -360,7 +360,7 @@ private:
         frame.shade.depth = 1;
         for (std::size_t i = 0; i < frame.shade.lights; ++i) {
             Vec3i place = balls[i / 2].a;
-            place[i % 3] += i % 2 == 0 ? 0 : 1 + dice_.below(most_of(config_.coord_bits) >> 4);
+            place[i % 3] += i % 2 == 0 ? 0 : 1 + dice_.below(max_of(config_.coord_bits) >> 4);
             put_light(frame, i, place);
         }
         frame.eye = balls[0].a;
@@ -429,7 +429,7 @@ private:
     /// any address.
     void add_textures() {
         for (int i = 1; i <= 6; ++i) {
-            std::vector<PrimData> prims = mesh(most_of(config_.coord_bits) / 3, 3);
+            std::vector<PrimData> prims = mesh(max_of(config_.coord_bits) / 3, 3);
             for (const PrimData& more : soup(config_, dice_, few(12))) prims.push_back(more);
             const SurfaceStyle style = SurfaceStyle::textured;
             MemoryImage image = image_of(prims, config_, dice_, "textures", style);
@@ -445,7 +445,7 @@ private:
     /// More holes in a row than a ray may pass. The light lies some panes behind the eye. So there are even
     /// more holes between the light and the last surface that the eye sees.
     void add_holes() {
-        const std::vector<PrimData> prims = panes(config_, most_holes + 6);
+        const std::vector<PrimData> prims = panes(config_, max_holes + 6);
         TortureCase t = begin("holes", image_of(prims, config_, dice_, "holes", SurfaceStyle::holes));
         Frame& frame = add(t, pane_view(config_, {4, 1}, 0.1));
         frame.shade.depth = 0, frame.shade.lights = 1;
@@ -457,7 +457,7 @@ private:
     /// Two mirrors at opposite sides of the lattice. Paths that bounce between them become longer than the
     /// largest t.
     void add_long_paths() {
-        const std::int32_t most = most_of(config_.coord_bits);
+        const std::int32_t most = max_of(config_.coord_bits);
         std::vector<PrimData> prims = mesh(most / 2, 3);
         for (std::size_t i = 0; i < prims.size(); ++i)
             for (Vec3i* corner : {&prims[i].a, &prims[i].b, &prims[i].c})

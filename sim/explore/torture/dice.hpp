@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "model/core/frame.hpp"
 #include "model/base/rng.hpp"
+#include "model/core/frame.hpp"
 
 namespace rayclock::torture {
 
@@ -54,6 +54,6 @@ private:
     Rng rng_;
 };
 
-inline std::int32_t most_of(int bits) { return (1 << (bits - 1)) - 1; }
+inline std::int32_t max_of(int bits) { return (1 << (bits - 1)) - 1; }
 
 }   // namespace rayclock::torture

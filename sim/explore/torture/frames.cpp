@@ -24,7 +24,7 @@ void aim(Frame& frame, const glm::dvec3& middle, const glm::dvec3& right, const 
         for (const double y : {-0.5, frame.height - 0.5})
             m = std::max(m, largest(corner + x * right + y * down));
     const double limit =
-        double(std::int64_t(most_of(config.dir_bits)) << guard_bits) - frame.width - frame.height;
+        double(std::int64_t(max_of(config.dir_bits)) << guard_bits) - frame.width - frame.height;
     const double scale = limit / m * shrink;
     const auto fixed = [&](const glm::dvec3& v) {
         return by_axis([&](std::size_t k) { return std::int64_t(std::llround(v[int(k)] * scale)); });
@@ -37,7 +37,7 @@ void aim(Frame& frame, const glm::dvec3& middle, const glm::dvec3& right, const 
 }   // namespace
 
 Frame view(const std::vector<PrimData>& prims, const Config& config, Size size, int shorter, Dice& dice) {
-    const std::int32_t most = most_of(config.coord_bits);
+    const std::int32_t most = max_of(config.coord_bits);
     Frame frame;
     frame.width = size.width, frame.height = size.height;
     frame.eye = dice.point(most);
@@ -57,7 +57,7 @@ Frame view(const std::vector<PrimData>& prims, const Config& config, Size size, 
         down[k] = spread * dice.between(-16, 16) / 16;
     }
     if (dice.percent(30)) right = {spread, 0, 0}, down = {0, spread, 0};
-    aim(frame, middle, right, down, std::ldexp(1.0, shorter > 0 ? -shorter - most_shift : 0), config);
+    aim(frame, middle, right, down, std::ldexp(1.0, shorter > 0 ? -shorter - max_shift : 0), config);
     return frame;
 }
 
@@ -65,7 +65,7 @@ Frame corner_view(const Config& config, Size size, std::int32_t step) {
     Frame frame;
     frame.width = size.width, frame.height = size.height;
     std::int32_t height = 1;
-    while (height * 4 <= most_of(config.coord_bits) && height * 2 <= most_of(config.dir_bits)) height *= 2;
+    while (height * 4 <= max_of(config.coord_bits) && height * 2 <= max_of(config.dir_bits)) height *= 2;
     frame.eye = {0, 0, height};
     const auto steps = [&](std::uint32_t pixels) {
         return -std::int64_t(pixels / 2) * step * (std::int64_t(1) << guard_bits);
@@ -97,7 +97,7 @@ Frame brim_view(const Vec3i& eye, const Config& config) {
 }
 
 Vec3i mirror_place(const Config& config, std::int32_t at) {
-    const std::int32_t step = most_of(config.coord_bits) / 2;
+    const std::int32_t step = max_of(config.coord_bits) / 2;
     return {at * step, at * step, -step};
 }
 
@@ -108,7 +108,7 @@ Frame mirror_view(const Config& config, Size size, const Vec3i& normal, std::int
     Frame frame;
     frame.width = size.width, frame.height = size.height;
     frame.eye = mirror_place(config, at);
-    const std::int32_t away = most_of(config.coord_bits) / 64;
+    const std::int32_t away = max_of(config.coord_bits) / 64;
     for (std::size_t k = 0; k < 3; ++k) frame.eye[k] += v[k] * away / 4;
     const double spread = 1e-4 * largest({double(v[0]), double(v[1]), double(v[2])});
     aim(frame, {double(-v[0]), double(-v[1]), double(-v[2])}, {spread / size.width, 0, 0},
@@ -119,7 +119,7 @@ Frame mirror_view(const Config& config, Size size, const Vec3i& normal, std::int
 Frame pane_view(const Config& config, Size size, double spread) {
     Frame frame;
     frame.width = size.width, frame.height = size.height;
-    const std::int32_t most = most_of(config.coord_bits);
+    const std::int32_t most = max_of(config.coord_bits);
     frame.eye = {most / 16, -most / 16, most - most / 8};
     aim(frame, {0, 0, -1}, {spread / size.width, 0, 0}, {0, spread / size.height, 0}, 1, config);
     return frame;
@@ -172,7 +172,7 @@ ShadeFrame settings(const MemoryImage& image, const Config& config, int samples,
     for (std::size_t i = 0; i < std::size_t(config.lights); ++i) {
         s.near[i] = dice.percent(60), s.clear[i] = dice.percent(50);
         if (config.panes > 0) s.cell[i] = std::uint32_t(dice.below(1 << config.panes));
-        const Vec3i place = dice.point(most_of(s.near[i] ? config.coord_bits : config.light_bits()));
+        const Vec3i place = dice.point(max_of(s.near[i] ? config.coord_bits : config.light_bits()));
         std::copy(place.begin(), place.end(), s.place.begin() + std::ptrdiff_t(3 * i));
         for (std::size_t k = 0; k < 3; ++k)
             s.colour[3 * i + k] = std::min(dice.share(strength_bits), (1u << strength_bits) - 1);

@@ -3,13 +3,13 @@
 
 #include <cmath>
 
-#include "model/engine/engines.hpp"
-#include "model/compile/emit.hpp"
-#include "model/compile/compile.hpp"
 #include "model/base/axes.hpp"
-#include "model/layout/words.hpp"
+#include "model/compile/compile.hpp"
+#include "model/compile/emit.hpp"
 #include "model/core/payloads.hpp"
+#include "model/engine/engines.hpp"
 #include "model/engine/none/page.hpp"
+#include "model/layout/words.hpp"
 #include "sim/explore/torture/frames.hpp"
 #include "sim/explore/torture/levels.hpp"
 #include "sim/explore/torture/textures.hpp"
@@ -63,8 +63,8 @@ std::uint32_t fine_of(const PrimData& t, const Config& config) {
     std::uint32_t bits = 0;
     for (std::size_t k = 0; k < 3; ++k)
         bits |= std::uint32_t(t.b[k] - t.a[k]) | std::uint32_t(t.c[k] - t.a[k]);
-    const int least = bits == 0 ? most_fine : __builtin_ctz(bits);
-    return std::uint32_t(std::clamp(std::min(least, config.bary_bits - config.origin_bits), 0, most_fine));
+    const int least = bits == 0 ? max_fine : __builtin_ctz(bits);
+    return std::uint32_t(std::clamp(std::min(least, config.bary_bits - config.origin_bits), 0, max_fine));
 }
 
 /// So many of those that count.
@@ -84,11 +84,11 @@ Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, S
     s.a = prim.a, s.b = prim.b, s.c = prim.c;
     if (flat) s.fine = fine_of(prim, config);
     s.smooth = style != SurfaceStyle::clear && config.smooth && flat && dice.percent(40);
-    for (auto& x : s.normal) x = s.smooth ? dice.number(most_of(corner_bits)) : 0;
+    for (auto& x : s.normal) x = s.smooth ? dice.number(max_of(corner_bits)) : 0;
     // The phases of a plane's squares, and the bits that distinguish them.
     if (s.kind == std::uint32_t(PrimKind::plane))
         for (std::size_t side : {0u, 1u}) {
-            s.normal[side] = dice.number(most_of(corner_bits));
+            s.normal[side] = dice.number(max_of(corner_bits));
             s.normal[2 + side] = dice.between(-1, config.bary_bits + corner_bits - 1);
         }
     if (s.kind == std::uint32_t(PrimKind::plane) && config.panes > 0)
@@ -123,7 +123,7 @@ void append_line(const Surface& surface, const Config& config, std::vector<std::
 }
 
 std::vector<PrimData> soup(const Config& config, Dice& dice, int count) {
-    const std::int32_t most = most_of(config.coord_bits);
+    const std::int32_t most = max_of(config.coord_bits);
     std::vector<PrimData> all = many(count, config, [&] {
         const PrimData flat = random_triangle(dice, most);
         return config.spheres && dice.percent(25) ? random_sphere(dice, config, most) : flat;
@@ -137,14 +137,14 @@ std::vector<PrimData> soup(const Config& config, Dice& dice, int count) {
 }
 
 std::vector<PrimData> walls(const Config& config) {
-    const std::int32_t most = most_of(config.coord_bits), step = std::max(4, most / 256);
+    const std::int32_t most = max_of(config.coord_bits), step = std::max(4, most / 256);
     return {plane({0, -most / 2, 0}, {step, -most / 2, 0}, {0, 1 - most / 2, -step}),
             plane({0, most / 2, 0}, {step, most / 2 - 1, 0}, {0, most / 2, step}),
             plane({most - 1, 0, 0}, {most, step, 0}, {most - 1, 0, step})};
 }
 
 std::vector<PrimData> spans(const Config& config, Dice& dice, int count) {
-    const std::int32_t most = most_of(config.coord_bits);
+    const std::int32_t most = max_of(config.coord_bits);
     const auto end = [&] { return dice.percent(50) ? most : -most; };
     return many(count, config, [&] {
         return triangle({end(), end(), end()}, {end(), end(), end()}, {end(), end(), end()});
@@ -152,7 +152,7 @@ std::vector<PrimData> spans(const Config& config, Dice& dice, int count) {
 }
 
 PrimData mirror(const Config& config, const Vec3i& normal, std::int32_t at) {
-    const std::int32_t side = most_of(config.coord_bits) / 64;
+    const std::int32_t side = max_of(config.coord_bits) / 64;
     const Vec3i place = mirror_place(config, at), one{normal[2] * side, 0, -normal[0] * side},
                 two{0, normal[2] * side, -normal[1] * side};
     const auto corner = [&](std::int32_t x, std::int32_t y) {
@@ -162,7 +162,7 @@ PrimData mirror(const Config& config, const Vec3i& normal, std::int32_t at) {
 }
 
 std::vector<PrimData> balls(const Config& config, Dice& dice, int count) {
-    const std::int32_t most = most_of(config.coord_bits);
+    const std::int32_t most = max_of(config.coord_bits);
     return many(count, config, [&] {
         const auto radius = std::uint64_t(dice.between(1, std::max(2, most >> dice.between(2, 5))));
         return sphere(dice.near({}, most / 3, most), radius * radius + std::uint64_t(dice.below(3)),
@@ -208,7 +208,7 @@ std::vector<PrimData> mesh(std::int32_t step, int side) {
 }
 
 std::vector<PrimData> panes(const Config& config, int count) {
-    const std::int32_t most = most_of(config.coord_bits), side = most / 2;
+    const std::int32_t most = max_of(config.coord_bits), side = most / 2;
     std::vector<PrimData> all;
     for (int i = 0; i < count; ++i) {
         const std::int32_t z = most / 4 - i * (most / (2 * count)), tilt = i % 3 == 0   ? 0
@@ -263,7 +263,7 @@ namespace {
 template <class Line> void set_plane(Line& node, std::size_t plane, Dice& dice) {
     cells::Cell cell;
     if constexpr (requires { node.normal; }) {
-        const std::int32_t most = most_of(normal_step_bits);
+        const std::int32_t most = max_of(normal_step_bits);
         cell.normal = dice.percent(50) ? dice.point(most) : dice.near({}, 3, most);
         for (std::size_t k = 0; k < 3; ++k) cell.at += cell.normal[k] * dice.between(node.lo[k], node.hi[k]);
     } else {
@@ -353,7 +353,7 @@ MemoryImage image_at_the_end(const std::vector<PrimData>& prims, const Config& c
 }
 
 std::vector<PrimData> coarse(const Config& config, Dice& dice, int count) {
-    const std::int32_t most = most_of(config.coord_bits);
+    const std::int32_t most = max_of(config.coord_bits);
     return many(count, config, [&] {
         PrimData t = random_triangle(dice, most);
         const int step = dice.below(7);

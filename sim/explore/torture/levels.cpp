@@ -4,11 +4,11 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "model/compile/emit.hpp"
-#include "model/layout/words.hpp"
-#include "model/compile/levels/upper.hpp"
-#include "model/compile/compile.hpp"
 #include "model/base/axes.hpp"
+#include "model/compile/compile.hpp"
+#include "model/compile/emit.hpp"
+#include "model/compile/levels/upper.hpp"
+#include "model/layout/words.hpp"
 #include "sim/explore/torture/textures.hpp"
 
 namespace rayclock::torture {
@@ -64,7 +64,7 @@ InstanceMap map_of(const Rows& rows, double scale, const Config& config) {
 /// Moves the mesh, often as far as possible. Every point of the scene's lattice must stay within the mesh's
 /// lattice.
 void push_away(InstanceMap& map, Dice& dice, const Config& config) {
-    const std::int64_t one = std::int64_t(1) << config.map_frac(), most = most_of(config.coord_bits);
+    const std::int64_t one = std::int64_t(1) << config.map_frac(), most = max_of(config.coord_bits);
     for (std::size_t k = 0; k < 3; ++k) {
         std::int64_t row = 0;
         for (std::size_t i = 0; i < 3; ++i) row += std::abs(std::int64_t(map.a[3 * k + i]));
@@ -169,13 +169,13 @@ private:
         const double half = config_.shading ? 1 : std::ldexp(1.0, -dice_.below(4));
         InstanceMap map = map_of(rows, half / longest_row(rows), config_);
         if (!config_.shading) push_away(map, dice_, config_);
-        const std::int32_t most = most_of(config_.coord_bits);
+        const std::int32_t most = max_of(config_.coord_bits);
         map.box = {{-most, -most, -most}, {most, most, most}};
         standings_.push_back({mesh, map});
     }
 
     void grow(LatticeBox& box, std::int32_t by) const {
-        const std::int32_t most = most_of(config_.coord_bits);
+        const std::int32_t most = max_of(config_.coord_bits);
         for (std::size_t k = 0; k < 3; ++k) {
             box.lo[k] = std::max(box.lo[k] - by, -most);
             box.hi[k] = std::min(box.hi[k] + by, most);

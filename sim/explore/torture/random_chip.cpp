@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
-#include "model/core/parameters.hpp"
-#include "model/engine/check.hpp"
 #include "model/base/error.hpp"
 #include "model/base/rng.hpp"
+#include "model/core/parameters.hpp"
+#include "model/engine/check.hpp"
 
 namespace rayclock {
 
@@ -16,7 +16,7 @@ namespace {
 
 /// Returns the largest value to draw among the legal ones: larger ones make no difference in a small frame,
 /// or are slow in Verilator.
-int most_of(const Parameter& p) {
+int max_of(const Parameter& p) {
     const std::string key = p.key;
     const std::pair<const char*, int> most[] = {{"contexts", 128},
                                                 {"mem_latency", 60},
@@ -62,7 +62,7 @@ Config random_chip(std::uint64_t seed, bool single) {
         for (const Parameter& p : parameters())
             if (!p.is("levels") && !p.is("mesh_structure") && !p.is("xform_interval") &&
                 !p.is("shade_interval") && !p.is("raygen_interval") && !p.is("panes") && !p.is("horizon"))
-                p.set(config, draw(p, most_of(p)));
+                p.set(config, draw(p, max_of(p)));
         // Not below what the scenes need; from a source of their own.
         Rng widths(seed * 31 + 7);
         config.addr_bits = std::max(config.least_addr_bits(), 15 + widths.below(max_addr_bits - 14));

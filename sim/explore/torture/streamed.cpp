@@ -17,10 +17,10 @@ namespace rayclock {
 
 namespace {
 
-constexpr int most_draws = 200;
+constexpr int max_draws = 200;
 
 /// A list tests every triangle for every ray. With more tests Verilator takes minutes.
-constexpr double most_list_tests = 2e4;
+constexpr double max_list_tests = 2e4;
 
 /// Changes a drawn configuration into a chip that reads rays. Throws UserError if the result is not legal.
 Config stream_chip(Config drawn, std::size_t rays) {
@@ -41,13 +41,13 @@ std::vector<StreamChip> random_stream_chips(const StreamInput& input, std::uint6
         std::string last;
         StreamChip chip;
         bool found = false;
-        for (int draw = 0; draw < most_draws && !found; ++draw) {
+        for (int draw = 0; draw < max_draws && !found; ++draw) {
             if (interrupted()) throw Interrupted("interrupted: nothing is written");
             Rng dice((seed + std::uint64_t(i)) * 1000 + std::uint64_t(draw));
             chip = {seed + std::uint64_t(i), random_chip(dice.next() >> 16, true), 0, {}};
             try {
                 chip.config = stream_chip(chip.config, input.rays().size());
-                if (chip.config.is_list() && tests > most_list_tests) continue;
+                if (chip.config.is_list() && tests > max_list_tests) continue;
                 chip.config.name = fmt::format("random {}", chip.seed);
                 input.job(chip.config, progress);   // throws if the chip's memory or stack is too small
                 found = true;
@@ -60,7 +60,7 @@ std::vector<StreamChip> random_stream_chips(const StreamInput& input, std::uint6
         }
         if (!found)
             throw UserError(fmt::format(
-                "none of {} random chips can trace the stream; the last one's reason: {}", most_draws, last));
+                "none of {} random chips can trace the stream; the last one's reason: {}", max_draws, last));
         chips.push_back(std::move(chip));
     }
     return chips;

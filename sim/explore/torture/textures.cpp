@@ -88,7 +88,7 @@ TexRecord Textures::record(std::uint32_t first_texels, std::uint32_t number) {
     TexRecord r;
     r.s = corners(), r.t = corners();
     const bool is_large = style_ == SurfaceStyle::textured && dice_.percent(40);
-    const int longest = is_large ? most_side_log : longest_log;
+    const int longest = is_large ? max_side_log : longest_log;
     do {
         r.log_width = std::uint32_t(dice_.percent(is_large ? 50 : 20) ? longest : dice_.between(0, longest));
         r.log_height = std::uint32_t(dice_.percent(20) ? 0 : dice_.between(0, longest));

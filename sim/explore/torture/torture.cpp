@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "model/base/error.hpp"
 #include "model/engine/check.hpp"
 #include "model/engine/engines.hpp"
-#include "model/base/error.hpp"
 #include "sim/explore/torture/cases.hpp"
 
 namespace rayclock {

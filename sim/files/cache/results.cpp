@@ -9,7 +9,7 @@
 #include "sim/files/json_value.hpp"
 #include "sim/files/output.hpp"
 
-namespace rayclock::jobs {
+namespace rayclock::results {
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
@@ -19,7 +19,7 @@ std::string hash_text(const std::string& text) { return fmt::format("{:016x}", h
 namespace {
 
 /// The largest file that is read. An entry takes some kilobytes.
-constexpr std::uint64_t most_bytes = 1 << 20;
+constexpr std::uint64_t max_bytes = 1 << 20;
 
 }   // namespace
 
@@ -51,7 +51,7 @@ std::optional<ordered_json> Cache::find(const std::string& kind, const std::stri
     if (fresh_) return std::nullopt;
     try {
         const std::string path = path_of(kind, key).string();
-        return entry_value(path, read_file(path, {}, most_bytes, Owner::program), key);
+        return entry_value(path, read_file(path, {}, max_bytes, Owner::program), key);
     } catch (const UserError&) {
         return std::nullopt;
     }
@@ -74,4 +74,4 @@ std::string Cache::trouble() const {
     return trouble_;
 }
 
-}   // namespace rayclock::jobs
+}   // namespace rayclock::results

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace rayclock::jobs {
+namespace rayclock::results {
 
 /// Returns the 64-bit FNV-1a hash as 16 hexadecimal digits.
 std::string hash_text(const std::string& text);
@@ -55,4 +55,4 @@ private:
     std::string trouble_;
 };
 
-}   // namespace rayclock::jobs
+}   // namespace rayclock::results

@@ -9,8 +9,8 @@
 namespace rayclock {
 
 /// The largest side and the largest number of pixels of a picture that these functions read.
-constexpr int most_picture_side = 16384;
-constexpr std::int64_t most_picture_pixels = std::int64_t{1} << 28;
+constexpr int max_picture_side = 16384;
+constexpr std::int64_t max_picture_pixels = std::int64_t{1} << 28;
 /// A decoded picture may take least_picture_bytes, or picture_bytes_for_a_byte for each byte of its file if
 /// that is more. Without this limit a compressed file of 33 kB could fill memory with 2^28 equal texels.
 constexpr std::int64_t least_picture_bytes = std::int64_t{1} << 28, picture_bytes_for_a_byte = 256;

@@ -228,8 +228,8 @@ public:
         if (spec_.width < 1 || spec_.height < 1 || spec_.depth > 1 || spec_.tile_width > 0 ||
             spec_.nchannels < 1)
             throw std::runtime_error("its pixels are not rows of one picture");
-        if (width() > most_picture_side || height() > most_picture_side ||
-            std::int64_t{width()} * height() > most_picture_pixels)
+        if (width() > max_picture_side || height() > max_picture_side ||
+            std::int64_t{width()} * height() > max_picture_pixels)
             throw std::runtime_error(std::to_string(width()) + "x" + std::to_string(height()) +
                                      " texels are too many");
         const std::int64_t texel_bytes = std::max<std::int64_t>(sizeof(std::array<std::uint8_t, 4>),

@@ -17,8 +17,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "model/base/interrupted.hpp"
 #include "model/base/error.hpp"
+#include "model/base/interrupted.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/split.hpp"
 #include "sim/files/process/interrupt.hpp"
@@ -128,7 +128,7 @@ void end_group(pid_t program) {
 }   // namespace
 
 Process::Process(const Launch& launch)
-    : name_(launch.words.at(0)), output_(launch.output), most_output_(launch.most_output) {
+    : name_(launch.words.at(0)), output_(launch.output), max_output_(launch.max_output) {
     Plan plan(launch);
     sigset_t all;
     sigfillset(&all);
@@ -155,9 +155,9 @@ bool Process::ended() {
     if (done == 0 || (done < 0 && errno == EINTR)) {
         std::error_code error;
         const std::uintmax_t printed = output_.empty() ? 0 : fs::file_size(output_, error);
-        if (error || printed <= most_output_) return false;
-        throw UserError(fmt::format("{} was ended: it has printed more than {} MB", printable(name_),
-                                    most_output_ >> 20));
+        if (error || printed <= max_output_) return false;
+        throw UserError(
+            fmt::format("{} was ended: it has printed more than {} MB", printable(name_), max_output_ >> 20));
     }
     code_ = done == guard_ && WIFEXITED(status) && WEXITSTATUS(status) != ended_by_signal
                 ? WEXITSTATUS(status)

@@ -18,7 +18,7 @@ struct Launch {
     std::filesystem::path folder;
     std::filesystem::path output;   ///< file for standard output and standard error; empty: discard both
     std::filesystem::path litter;   ///< file or folder to remove if this program dies meanwhile; may be empty
-    std::uint64_t most_output = 16 << 20;   ///< bytes; a program that prints more is killed
+    std::uint64_t max_output = 16 << 20;   ///< bytes; a program that prints more is killed
 };
 
 /// A running program and all of its children. They end with this object, and with this program, however it
@@ -45,7 +45,7 @@ public:
 private:
     std::string name_;
     std::filesystem::path output_;
-    std::uint64_t most_output_;
+    std::uint64_t max_output_;
     pid_t guard_ = -1;
     int code_ = -1;
 };

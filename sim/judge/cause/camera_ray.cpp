@@ -39,7 +39,7 @@ bool CameraBound::goes_through(const glm::dvec3& given, const Vec3i& d) const {
     const glm::dvec3 machine = vector_of(d);
     if (!(sum > 0) || largest(machine) < std::exp2(dir_bits_ - 2) - 1) return false;
     const double once = largest(machine) >= end - 1 ? 1 : 0.5,
-                 error = once + 0.5 * sides_ * std::min(end / sum, std::exp2(most_shift - guard_bits));
+                 error = once + 0.5 * sides_ * std::min(end / sum, std::exp2(max_shift - guard_bits));
     const double sine = glm::length(glm::cross(unit_or_zero(machine), unit_or_zero(v)));
     return glm::dot(machine, v) > 0 &&
            sine <= std::sqrt(3.0) * error / glm::length(machine) * (1 + Range::slack) + Range::slack;

@@ -8,9 +8,9 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "sim/judge/reference/whitted.hpp"
 #include "sim/judge/cause/tie.hpp"
 #include "sim/judge/paths/steps.hpp"
+#include "sim/judge/reference/whitted.hpp"
 
 namespace rayclock {
 
@@ -25,16 +25,20 @@ public:
     bool faces_away = false, is_open = false;
 
     void begin_sample(std::uint32_t, RefPath& path) override { path = path_; }
-    bool ends(std::uint32_t, double, bool own) override { return own; }
-    RefClosest met(const RefPath&, const RefClosest&) override { return hit_; }
+    bool ends_sampling(std::uint32_t, double, bool own) override { return own; }
+    RefClosest choose_hit(const RefPath&, const RefClosest&) override { return hit_; }
     void round_corners(RefClosest&, std::array<glm::dvec3, 3>&, bool open) override { is_open = open; }
-    glm::dvec3 square(const RefClosest&, const Material&, const glm::dvec3& own) override { return own; }
+    glm::dvec3 plane_colour(const RefClosest&, const Material&, const glm::dvec3& own) override {
+        return own;
+    }
     void texel(const RefClosest&, const RefSurface&, RefTexel&) override {}
-    void place(RefSurface& surface) override { faces_away = glm::dot(surface.normal, path_.direction) > 0; }
-    bool counts(std::size_t, double, double lambert) override { return lambert > 0; }
+    void move_ray_origin(RefSurface& surface) override {
+        faces_away = glm::dot(surface.normal, path_.direction) > 0;
+    }
+    bool light_counts(std::size_t, double, double lambert) override { return lambert > 0; }
     bool is_blocked(std::size_t, const RefPath&, double, bool) override { return false; }
     bool is_total(const RefSurface&, double, double, bool own) override { return own; }
-    bool goes(RefBounce&) override { return false; }
+    bool accept_bounce(RefBounce&) override { return false; }
     void enter(RefBounce::Interaction) override {}
     void leave() override {}
 

@@ -13,12 +13,12 @@
 #include <optional>
 #include <string>
 
-#include "model/trace/hits.hpp"
-#include "sim/judge/reference/geometry.hpp"
-#include "sim/judge/reference/reference.hpp"
 #include "model/scene/folded.hpp"
+#include "model/trace/hits.hpp"
 #include "sim/judge/cause/camera_ray.hpp"
 #include "sim/judge/cause/seam.hpp"
+#include "sim/judge/reference/geometry.hpp"
+#include "sim/judge/reference/reference.hpp"
 
 namespace rayclock {
 

@@ -10,15 +10,15 @@
 
 #include "model/base/largest.hpp"
 #include "model/base/stopwatch.hpp"
-#include "model/trace/hits.hpp"
-#include "sim/judge/reference/reference.hpp"
-#include "sim/judge/reference/tiles.hpp"
 #include "model/scene/folded.hpp"
+#include "model/trace/hits.hpp"
+#include "sim/files/image/srgb.hpp"
 #include "sim/judge/cause/camera_stage_check.hpp"
+#include "sim/judge/cause/exact_answers.hpp"
 #include "sim/judge/cause/seam.hpp"
 #include "sim/judge/cause/snapped.hpp"
-#include "sim/judge/cause/exact_answers.hpp"
-#include "sim/files/image/srgb.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/judge/reference/tiles.hpp"
 
 namespace rayclock {
 
@@ -26,7 +26,7 @@ namespace {
 
 constexpr int stages = 7;
 constexpr int packed_width = 256;
-constexpr std::size_t most_stage_faults = 20;
+constexpr std::size_t max_stage_faults = 20;
 constexpr std::size_t lit_stride = 61;   // every 61st equal pixel also has its light checked
 constexpr const char* wrong_light = "the colour is not the local light of the hit by the reference's rules";
 
@@ -105,7 +105,7 @@ private:
     }
     void report(std::size_t pixel, const std::string& sentence) {
         ++judgement_.wrong;
-        if (judgement_.faults.size() < most_stage_faults)
+        if (judgement_.faults.size() < max_stage_faults)
             judgement_.faults.push_back({std::uint32_t(x(pixel)), std::uint32_t(y(pixel)), 0, sentence});
     }
     /// Returns the hit with the flat scene's order of corners. A mirrored instance has the second and the

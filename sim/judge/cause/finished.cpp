@@ -7,16 +7,16 @@
 
 #include "model/base/stopwatch.hpp"
 #include "model/scene/texture.hpp"
-#include "sim/judge/reference/tiles.hpp"
+#include "sim/files/image/srgb.hpp"
 #include "sim/judge/cause/guide.hpp"
 #include "sim/judge/cause/snapped.hpp"
-#include "sim/files/image/srgb.hpp"
+#include "sim/judge/reference/tiles.hpp"
 
 namespace rayclock {
 
 namespace {
 
-constexpr std::size_t most_shading_faults = 20;
+constexpr std::size_t max_shading_faults = 20;
 
 /// Passes the events of one pixel to several watches.
 class Watches final : public ShadeWatch {
@@ -216,7 +216,7 @@ Judgement judge_finished(const FrameInputs& inputs, const MemoryImage& image, co
 
     const auto report = [&](std::size_t pixel, const std::string& sentence) {
         ++j.wrong;
-        if (j.faults.size() < most_shading_faults)
+        if (j.faults.size() < max_shading_faults)
             j.faults.push_back({std::uint32_t(pixel % width), std::uint32_t(pixel / width), 0, sentence});
     };
     if (cause_stages)

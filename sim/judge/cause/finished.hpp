@@ -15,8 +15,8 @@
 // In the last stage they must do so, and the colour must lie within the judge's bounds. Otherwise, or if the
 // judge finds a fault, the pixel is a `bug`. guide.hpp lists the differences that the reference accepts in
 // that stage, and how they are counted: ties, seams of two levels, planes beyond the horizon.
-#include "sim/judge/reference/reference.hpp"
 #include "sim/judge/cause/cause.hpp"
+#include "sim/judge/reference/reference.hpp"
 
 namespace rayclock {
 

@@ -9,10 +9,11 @@
 #include <glm/matrix.hpp>
 
 #include "model/compile/levels/maps.hpp"
-#include "sim/judge/reference/geometry.hpp"
-#include "sim/judge/reference/holes.hpp"
+#include "sim/judge/cause/level_error.hpp"
 #include "sim/judge/cause/tie.hpp"
 #include "sim/judge/paths/steps.hpp"
+#include "sim/judge/reference/geometry.hpp"
+#include "sim/judge/reference/holes.hpp"
 
 namespace rayclock {
 
@@ -20,8 +21,8 @@ namespace {
 
 /// The largest distance of a point from its triangle in an instance that turns rays, in steps of the scene:
 /// rho plus 3/4 of a step of the mesh (docs/machine/motion.md, Boxes). A step of the mesh is at most
-/// most_stretch steps of the scene.
-constexpr double most_turned = (8.5 + 0.75) * most_stretch;
+/// max_stretch steps of the scene.
+constexpr double max_turned = (8.5 + 0.75) * max_stretch;
 
 glm::dvec3 units_of(const Lattice& lattice, const glm::dvec3& steps) {
     return lattice.centre + lattice.pitch * steps;
@@ -87,7 +88,7 @@ void Guide::begin_sample(std::uint32_t sample, RefPath& path) {
 
 /// The machine compares its own colours, which lie within sample_width_ of the reference's. The register of
 /// the contrast is rounded up.
-bool Guide::ends(std::uint32_t samples, double difference, bool own) {
+bool Guide::ends_sampling(std::uint32_t samples, double difference, bool own) {
     const bool machine = path_.samples.size() <= samples;
     if (machine == own) return machine;
     if (std::abs(difference - rules_.contrast) <= 2 * sample_width_ + unit_step)
@@ -137,7 +138,7 @@ RefPath Guide::from_own(const RefPath& path, double distance) const {
 }
 
 /// Returns the error of a hit on a sphere in lattice steps: rounding of the root, of t and of the point
-/// (model/unit/isect/any.hpp). Of two hits that are closer together than this, either may win.
+/// (model/unit/isect/test_primitive.hpp). Of two hits that are closer together than this, either may win.
 double Guide::sphere_error(const MachineVisit& at, std::uint32_t primitive) const {
     const Scene& scene = rules_.scene;
     const Config& config = rules_.inputs.config;
@@ -179,7 +180,7 @@ bool Guide::is_within_root(const RefPath& path, const RefClosest& own, const Mac
 bool Guide::is_beyond_horizon(const RefPath& path, const RefClosest& own, const MachineVisit& at) const {
     if (at.parent < 0) return false;
     const MachineVisit& from = path_.visits[std::size_t(at.parent)];
-    if (!from.state.far || at.ray.partial) return false;
+    if (!from.state.is_far || at.ray.is_partial) return false;
     const Scene& scene = rules_.scene;
     if (own.primitive == no_primitive || own.primitive < scene.triangles.size() + scene.spheres.size())
         return false;
@@ -213,10 +214,10 @@ RefPath Guide::from_far(const RefPath& path, const MachineVisit& at) {
     return moved;
 }
 
-RefClosest Guide::met(const RefPath& sent, const RefClosest& closest) {
+RefClosest Guide::choose_hit(const RefPath& sent, const RefClosest& closest) {
     const MachineVisit* at = visit();
     const Scene& scene = rules_.scene;
-    const bool is_far = at && at->ray.partial;
+    const bool is_far = at && at->ray.is_partial;
     const RefPath path = is_far ? from_far(sent, *at) : sent;
     const RefClosest own = is_far ? rules_.reference.geometry().closest(path) : closest;
     if (!at) {   // the machine sent no ray: the ray misses the lattice and gets the background
@@ -358,7 +359,7 @@ void Guide::round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals, b
     round_normals(*at, normals);
 }
 
-glm::dvec3 Guide::square(const RefClosest& hit, const Material& material, const glm::dvec3& own) {
+glm::dvec3 Guide::plane_colour(const RefClosest& hit, const Material& material, const glm::dvec3& own) {
     const MachineVisit* at = visit();
     if (!at || !at->hit.found || at->hit.prim != hit.primitive || !material.checkered) return own;
     glm::dvec3 seen(0);
@@ -385,7 +386,7 @@ glm::dvec3 Guide::square(const RefClosest& hit, const Material& material, const 
     const bool is_average = is(0.5 * (material.colour + material.other)),
                is_either = is(material.colour) || is(material.other);
     const bool is_fine = std::max(side_u, side_v) * fine > 0.25;
-    if ((is_average && (at->state.lost || is_fine)) ||
+    if ((is_average && (at->state.is_lost || is_fine)) ||
         (is_either && (is_near(hit.u, side_u) || is_near(hit.v, side_v)))) {
         tie();
         return seen;
@@ -394,206 +395,10 @@ glm::dvec3 Guide::square(const RefClosest& hit, const Material& material, const 
     return own;
 }
 
-/// An instance's map scales lengths in a plane by one factor, and the volume by another. Returns the largest
-/// difference between the logarithm of the first and a third of the logarithm of the second: 0 if the map
-/// preserves angles.
-double stretch_error(const std::array<std::int64_t, 9>& a) {
-    glm::dmat3 map;
-    for (int i = 0; i < 9; ++i) map[i % 3][i / 3] = double(a[std::size_t(i)]);
-    const glm::dmat3 square = glm::transpose(map) * map;
-    const double size = (square[0][0] + square[1][1] + square[2][2]) / 3;
-    double off = 0;   // deviation from a multiple of the identity
-    for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k) off = std::max(off, std::abs(square[i][k] - (i == k ? size : 0)));
-    if (off <= 0x1p-10 * size) return 0x1p-8;
-    // The map scales areas by a factor between the smallest and the largest product of two singular values.
-    const double volume = std::abs(glm::determinant(map)), largest = std::sqrt(3 * size);
-    const double least = volume / largest, most = largest * largest, mean = std::cbrt(volume * volume);
-    return 0.5 * std::max(std::log2(most / mean), std::log2(mean / least));
-}
-
-/// The largest error of the machine's level, apart from an instance's map (docs/machine/shading.md, Bound of
-/// the level).
-constexpr double error_of_level = 0.25;
-
-/// A place in a texture that the machine reads.
-struct Guide::TexturePlace {
-    glm::dvec2 st{0};
-    glm::dvec2 error{0x1p-19};   ///< in pictures
-    double scale_error = 0;      ///< in levels, from an instance's map
-    bool is_wrong = false;       ///< it does not belong to the point that was hit
-    bool is_last = false;        ///< the machine draws the texture's last level at any distance
-};
-
-/// The machine rounds the weights of the corners and the coordinates.
-Guide::TexturePlace Guide::place_on_triangle(const MachineVisit& at, const RefClosest& hit,
-                                             const RefTexel& own) const {
-    const auto& [a, b, c] = rules_.scene.coordinates[hit.primitive];
-    const double fine = std::exp2(-rules_.inputs.config.bary_bits);
-    double u = fine * at.hit.u, v = fine * at.hit.v;
-    const std::uint32_t place =
-        rules_.placed ? rules_.placed->place_of(at.hit.prim) : oracle::PlacedRay::nowhere;
-    if (rules_.placed && rules_.placed->is_mirrored(place)) std::swap(u, v);
-    TexturePlace found;
-    found.st = (1 - u - v) * a + u * b + v * c;
-    // With two levels the ray is rounded in the instance's space, so it may hit the triangle a few steps
-    // away.
-    double away = 0;
-    if (rules_.placed && is_turned(at)) {
-        const auto& vertex = rules_.scene.triangles[hit.primitive].vertex;
-        const auto corner = [&](std::size_t k) { return rules_.scene.vertices[vertex[k]]; };
-        const glm::dvec3 e1 = corner(1) - corner(0), e2 = corner(2) - corner(0);
-        const double longest = glm::length(e1) + glm::length(e2), area = glm::length(glm::cross(e1, e2));
-        const glm::dvec3& pitch = rules_.inputs.lattice.pitch;
-        const double steps = 4 * std::max(pitch.x, std::max(pitch.y, pitch.z));
-        away = steps * longest / area / std::max(own.cosine, 0x1p-8);
-        found.scale_error = stretch_error(rules_.placed->solids().places()[place].a);
-    }
-    const glm::dvec2 edges = glm::abs(b - a) + glm::abs(c - a);
-    found.is_wrong = !is_substituted_ && glm::any(glm::greaterThan(glm::abs(found.st - own.st),
-                                                                   (4 * fine + away) * edges + 0x1p-18));
-    return found;
-}
-
-/// The machine projects the unit normal that it found. The normal follows from the hit's point, which place()
-/// judges. Rounding lowers each quotient by less than 2^(1 - bary_bits), and the 1 in the divisor lowers it
-/// by at most 2^-16. An error e of both quotients is at most (e, 2 e, e) on the octahedron. The octahedron
-/// lies at least 1 / sqrt(3) from its middle, so this is at most sqrt(18) e on the sphere.
-Guide::TexturePlace Guide::place_on_sphere(const MachineVisit& at, const RefClosest& hit) const {
-    const double fine = std::exp2(-rules_.inputs.config.bary_bits);
-    const Sphere& sphere = rules_.scene.spheres[hit.primitive - rules_.scene.triangles.size()];
-    const glm::dvec3 out = glm::normalize(point(at.state.o, rules_.inputs.config.origin_frac()) -
-                                          rules_.reference.geometry().space()(sphere.centre));
-    TexturePlace found;
-    found.st = fine * glm::dvec2(at.texture->u, at.texture->v);
-    found.is_wrong = glm::length(octahedral_direction(found.st) - out) >
-                     vector_error + 4.25 * (2 * fine + 0x1p-16) + tie_size;
-    return found;
-}
-
-/// The machine counts sides of the plane from a point a (plane.hpp). This function computes the coordinates
-/// at the same point from the plane's own point and squares. place() judges the point. The machine's
-/// coordinates at a, b and c have 20 fraction bits. If their differences are not multiples of 2^-20, the
-/// error grows with the number of sides.
-Guide::TexturePlace Guide::place_on_plane(const MachineVisit& at, const RefClosest& hit,
-                                          const Texture& texture) const {
-    const Config& config = rules_.inputs.config;
-    const Lattice& lattice = rules_.inputs.lattice;
-    const Plane& plane =
-        rules_.scene.planes[hit.primitive - rules_.scene.triangles.size() - rules_.scene.spheres.size()];
-    const glm::dvec3 n = glm::cross(plane.u, plane.v);
-    const auto coordinates_along = [&](const glm::dvec3& way) {
-        const double u = glm::dot(glm::cross(way, plane.v), n) / glm::dot(n, n),
-                     v = glm::dot(glm::cross(plane.u, way), n) / glm::dot(n, n);
-        return u * (plane.coordinates[1] - plane.coordinates[0]) +
-               v * (plane.coordinates[2] - plane.coordinates[0]);
-    };
-    const auto of = [&](const Vec3i& p) { return lattice.pitch * glm::dvec3(p[0], p[1], p[2]); };
-    const glm::dvec3 a = of(at.surface.a);
-    TexturePlace found;
-    found.st = plane.coordinates[0] + coordinates_along(lattice.centre + a - plane.point);
-    const glm::dvec2 at_a = found.st;
-    const double end = std::exp2(config.uv_bits() - 1);
-    for (std::size_t i = 0; i < 2; ++i) {
-        const double field = i == 0 ? at.hit.u : at.hit.v, whole = field >= end ? field - 2 * end : field,
-                     sides = std::ldexp(whole, -config.bary_bits);
-        const glm::dvec2 step = coordinates_along(of(i == 0 ? at.surface.b : at.surface.c) - a);
-        found.st += sides * step;
-        found.is_last = found.is_last || whole == end - 1 || whole == -end;
-        for (int axis = 0; axis < 2; ++axis) {
-            const double units = std::ldexp(step[axis], coordinate_frac);
-            if (std::abs(units - std::round(units)) > 0x1p-12)
-                found.error[axis] += std::ldexp(std::abs(sides), -coordinate_frac);
-            // These coordinates may not fit into a record. b and c may lie on opposite sides of a.
-            const bool clamps = (axis == 0 ? texture.wrap_s : texture.wrap_t) == Wrap::clamp;
-            found.is_last = found.is_last || std::abs(step[axis]) > most_coordinate - 2 ||
-                            (clamps && std::abs(at_a[axis]) + std::abs(step[axis]) > most_coordinate - 1);
-        }
-    }
-    return found;
-}
-
-/// The machine rounds the weights of the corners, the coordinates, and the place in texels down. It finds the
-/// level from logarithms of 6 fraction bits. Its length of a path errs by 0.098 of a level, and by another
-/// 0.023 because |d| has 7 fraction bits. The logarithm of the path adds 0.031. The logarithm of the cosine
-/// adds half of 0.031 and 1/128. The two registers add 1/128 each.
-void Guide::texel(const RefClosest& hit, const RefSurface& surface, RefTexel& own) {
-    const MachineVisit* at = visit();
-    if (!at || !at->hit.found || at->hit.prim != hit.primitive) return;
-    if (!at->texture) return fail("a surface is drawn without its texture");
-    const Texture& texture = rules_.scene.textures[*surface.material->texture];
-    const auto kind = PrimKind(at->surface.kind);
-    const TexturePlace place = kind == PrimKind::sphere  ? place_on_sphere(*at, hit)
-                               : kind == PrimKind::plane ? place_on_plane(*at, hit, texture)
-                                                         : place_on_triangle(*at, hit, own);
-    // A bounce from beyond the lattice stores its origin divided by 2^far_drop. Where t is saturated, the
-    // machine measures the path from this stored point.
-    const Config& config = rules_.inputs.config;
-    if (kind == PrimKind::plane && at->ray.partial != 0 && at->hit.t == (1u << config.t_bits()) - 1) {
-        const double scale = rules_.reference.geometry().space().scale;
-        const Vec3i& o = at->ray.o;
-        const glm::dvec3 from = point({o[0], o[1], o[2]}, config.origin_frac());
-        own.distance += (chord(point(at->state.o, config.origin_frac()), from) - hit.depth) / scale;
-    }
-    if (place.is_wrong) fail("the coordinates of a texture do not belong to the point that was hit");
-
-    const double level_error = error_of_level + place.scale_error;
-    constexpr double cosine_error_of_level = 0x1p-12;
-    const auto level = int(at->texture->level);
-    const auto detail = [&](double cosine) {
-        return level_of_detail(own.detail, own.distance, own.spread, std::max(cosine, 0.0));
-    };
-    const double least = detail(own.cosine + cosine_error_of_level),
-                 most = detail(own.cosine - cosine_error_of_level);
-    const bool is_last = place.is_last && level == int(texture.pyramid->levels.size()) - 1;
-    if (!is_last && level > level_of(texture, least) && level > std::floor(most + 0.5 + level_error))
-        fail("a texture is drawn at a level that is too coarse");
-    if (level < level_of(texture, most) && level < std::ceil(least - 0.5 - level_error))
-        fail("a texture is drawn at a level that is too fine");
-
-    // All places that rounding allows, on the machine's grid of 256ths of a texel.
-    const TexelLevel& picture =
-        texture.pyramid->levels[std::min(std::size_t(level), texture.pyramid->levels.size() - 1)];
-    const glm::dvec2 grid(256.0 * picture.width, 256.0 * picture.height),
-        moved = place.error * grid, first = glm::floor(place.st * grid - moved),
-        last = glm::floor(place.st * grid + moved) + 1.0;
-    glm::dvec3 low(2), high(-1), seen(0);
-    double clear = 2, dense = -1;   // alpha
-    for (double y = first.y; y <= last.y; ++y)
-        for (double x = first.x; x <= last.x; ++x) {
-            const glm::dvec4 found = filtered_with_alpha(texture, glm::dvec2(x, y) / grid, level);
-            low = glm::min(low, glm::dvec3(found)), high = glm::max(high, glm::dvec3(found));
-            clear = std::min(clear, found.a), dense = std::max(dense, found.a);
-        }
-    // The cut-off is rounded to a code.
-    if (const bool is_hole = at->texture->is_hole; is_hole != own.is_hole) {
-        const double cutoff = surface.material->cutoff, half = 0.5 / 255;
-        if (is_hole ? clear < cutoff + half : dense >= cutoff - half)
-            tie();
-        else
-            fail("a texture has a hole where its picture has none, or none where it has one");
-        own.is_hole = is_hole;
-    }
-    const double unit = std::exp2(-share_bits);
-    for (int k = 0; k < 3; ++k) {
-        const double albedo = std::ldexp(double(at->state.albedo[std::size_t(k)]), -share_bits),
-                     material = surface.colour[k];
-        if (albedo < material * low[k] - 2 * unit || albedo > material * high[k] + 2 * unit)
-            fail("a texture gives another colour than its picture");
-        seen[k] = material > 0 ? albedo / material : own.colour[k];
-    }
-    own.colour = seen;
-    const Scene& given = rules_.inputs.scene;
-    const Texture& whole = given.textures[*surface.material->texture];
-    const glm::dvec3 exact = filtered(whole, own.st, level_of(whole, detail(own.cosine)));
-    finding_.has_texture |=
-        glm::any(glm::greaterThan(glm::abs(seen - exact) * surface.colour, glm::dvec3(2 * unit)));
-}
-
-void Guide::place(RefSurface& surface) {
+void Guide::move_ray_origin(RefSurface& surface) {
     const MachineVisit* at = visit();
     if (!at || !at->hit.found || at->hit.prim != surface.primitive) return;
-    if (at->state.lost) {
+    if (at->state.is_lost) {
         finding_.has_lost = true;
         return;
     }
@@ -620,7 +425,7 @@ void Guide::place(RefSurface& surface) {
         // The point lies on the scene's ray. The triangle lies where the instance's ray meets it.
         const glm::dvec3 off = (machine - surface.position) / step(), way = direction(d);
         if (glm::length(off - glm::dot(off, way) * way) > 2 * grain + tick + double_slack / step() ||
-            std::abs(glm::dot(off, surface.flat)) > most_turned)
+            std::abs(glm::dot(off, surface.flat)) > max_turned)
             fail("rays leave from another point than the one that was hit");
         surface.position = machine;
         return;
@@ -645,7 +450,7 @@ void Guide::place(RefSurface& surface) {
 
 // ---- Lights.
 
-bool Guide::counts(std::size_t light, double side, double lambert) {
+bool Guide::light_counts(std::size_t light, double side, double lambert) {
     const MachineVisit* at = visit();
     const bool own = side > 0 && lambert > 0;
     if (!at) return own;
@@ -656,7 +461,7 @@ bool Guide::counts(std::size_t light, double side, double lambert) {
     const MachineLight& seen = at->lights[light];
     const bool machine = seen.was_sent || seen.is_lit;
     if (machine == own) return own;
-    const bool is_exact = !is_turned(*at) && !at->state.far && !(rules_.placed && at->state.far) &&
+    const bool is_exact = !is_turned(*at) && !at->state.is_far && !(rules_.placed && at->state.is_far) &&
                           rules_.inputs.frame.shade.near[light] != 0;
     const double side_error =
         is_exact ? 4 * tie_size : 2 * vector_error + std::exp2(2 - rules_.inputs.config.dir_bits);
@@ -670,7 +475,7 @@ bool Guide::counts(std::size_t light, double side, double lambert) {
         fail("a light counts that lies behind the surface");
         return true;
     }
-    if (at->state.far) return true;   // the machine treats it as hidden; is_blocked() checks this
+    if (at->state.is_far) return true;   // the machine treats it as hidden; is_blocked() checks this
     fail("a light that the surface faces does not count");
     return own;
 }
@@ -708,8 +513,8 @@ bool Guide::is_hidden_beyond_horizon(std::size_t light, const RefPath& path, dou
         std::count_if(scene.planes.begin(), scene.planes.end(),
                       [&](const Plane& plane) { return scene.materials[plane.material].transmit > 0; });
     const bool is_beyond = rules_.inputs.frame.shade.near[light] == 0;
-    if (at.state.lost || (finding_.has_horizon && (at.state.far || is_beyond))) return true;
-    if (at.state.far && is_beyond && !at.lights[light].is_lit) {
+    if (at.state.is_lost || (finding_.has_horizon && (at.state.is_far || is_beyond))) return true;
+    if (at.state.is_far && is_beyond && !at.lights[light].is_lit) {
         const RefClosest behind = rules_.reference.geometry().closest(path);
         if (behind.primitive != no_primitive && behind.depth > distance) return true;
     }
@@ -719,8 +524,8 @@ bool Guide::is_hidden_beyond_horizon(std::size_t light, const RefPath& path, dou
         const glm::dvec3 n = glm::normalize(glm::cross(plane.u, plane.v));
         return std::abs(glm::dot(n, from - plane.point)) <= tie_size * glm::length(from - plane.point);
     });
-    if (holds_eye && (at.state.far || is_beyond) && !at.lights[light].is_lit) return true;
-    if (transmitting <= rules_.inputs.config.panes || (!at.state.far && !is_beyond)) return false;
+    if (holds_eye && (at.state.is_far || is_beyond) && !at.lights[light].is_lit) return true;
+    if (transmitting <= rules_.inputs.config.panes || (!at.state.is_far && !is_beyond)) return false;
     const std::vector<std::uint32_t> blockers = rules_.reference.geometry().blockers(path, distance);
     return std::all_of(blockers.begin(), blockers.end(), [&](std::uint32_t primitive) {
         return primitive >= scene.triangles.size() + scene.spheres.size();
@@ -813,7 +618,7 @@ double Guide::direction_error(const RefBounce& bounce, const MachineVisit& at) c
     return 2 * (wide + (1 + std::abs(middle)) * n + r * vector_error + index + grain);
 }
 
-bool Guide::goes(RefBounce& bounce) {
+bool Guide::accept_bounce(RefBounce& bounce) {
     const bool is_reflected = bounce.interaction == RefBounce::Interaction::reflected;
     const double side = (is_reflected ? 1 : -1) * glm::dot(bounce.direction, bounce.surface.flat);
     const bool own = bounce.weighs_enough && side > 0;
@@ -826,8 +631,8 @@ bool Guide::goes(RefBounce& bounce) {
         (4 * double(at_.size()) + 1) * unit_step;
     const bool is_side_close = std::abs(side) <= error;
     if (child == MachineVisit::none) {
-        if (is_reflected ? at->is_reflected_past : at->is_refracted_past) {   // misses the lattice: see met()
-            if (rules_.inputs.config.horizon && !at->state.lost)
+        if (is_reflected ? at->is_reflected_past : at->is_refracted_past) {   // see choose_hit()
+            if (rules_.inputs.config.horizon && !at->state.is_lost)
                 fail("a bounce beyond the lattice is not sent");
             if (!own) tie();
             return true;

@@ -20,11 +20,11 @@
 #include <optional>
 #include <string>
 
-#include "sim/judge/reference/reference.hpp"
-#include "sim/judge/reference/steer.hpp"
 #include "sim/judge/cause/camera_ray.hpp"
 #include "sim/judge/cause/machine_path.hpp"
 #include "sim/judge/cause/seam.hpp"
+#include "sim/judge/reference/reference.hpp"
+#include "sim/judge/reference/steer.hpp"
 
 namespace rayclock {
 
@@ -60,16 +60,16 @@ public:
     const GuideFinding& finding() const { return finding_; }
 
     void begin_sample(std::uint32_t sample, RefPath& path) override;
-    bool ends(std::uint32_t samples, double difference, bool own) override;
-    RefClosest met(const RefPath& path, const RefClosest& own) override;
+    bool ends_sampling(std::uint32_t samples, double difference, bool own) override;
+    RefClosest choose_hit(const RefPath& path, const RefClosest& own) override;
     void round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals, bool is_open) override;
-    glm::dvec3 square(const RefClosest& hit, const Material& material, const glm::dvec3& own) override;
+    glm::dvec3 plane_colour(const RefClosest& hit, const Material& material, const glm::dvec3& own) override;
     void texel(const RefClosest& hit, const RefSurface& surface, RefTexel& own) override;
-    void place(RefSurface& surface) override;
-    bool counts(std::size_t light, double side, double lambert) override;
+    void move_ray_origin(RefSurface& surface) override;
+    bool light_counts(std::size_t light, double side, double lambert) override;
     bool is_blocked(std::size_t light, const RefPath& path, double distance, bool own) override;
     bool is_total(const RefSurface& surface, double ratio, double cosine, bool own) override;
-    bool goes(RefBounce& bounce) override;
+    bool accept_bounce(RefBounce& bounce) override;
     void enter(RefBounce::Interaction interaction) override;
     void leave() override { at_.pop_back(); }
 
@@ -90,10 +90,16 @@ private:
     double direction_error(const RefBounce& bounce, const MachineVisit& at) const;
     void round_normals(const MachineVisit& at, std::array<glm::dvec3, 3>& normals);
     bool points_outwards(const MachineVisit& at) const;
+    // Textures: guide_texture.cpp.
     struct TexturePlace;
     TexturePlace place_on_triangle(const MachineVisit& at, const RefClosest& hit, const RefTexel& own) const;
     TexturePlace place_on_sphere(const MachineVisit& at, const RefClosest& hit) const;
     TexturePlace place_on_plane(const MachineVisit& at, const RefClosest& hit, const Texture& texture) const;
+    TexturePlace texture_place(const MachineVisit& at, const RefClosest& hit, const Texture& texture,
+                               const RefTexel& own) const;
+    double extra_distance(const MachineVisit& at, const RefClosest& hit) const;
+    void judge_level(int level, const TexturePlace& place, const Texture& texture, const RefTexel& own);
+
     /// Returns the weights of the second and third corner at the point from which rays leave.
     std::array<double, 2> weights(const MachineVisit& at) const;
     /// Returns the machine's hit, from which the path continues.

@@ -62,7 +62,7 @@ void MachinePath::passed(const PassIn& in, const PassOut& out) {
         case ShadeEvent::light:
             if (passes_hole(in)) break;   // another ray to the same light
             visit.lights.push_back(
-                {out.leave == PassOut::Leave::spawn, Pending(out.state.pending) == Pending::sure, {}});
+                {out.leave == PassOut::Leave::spawn, out.state.pending == Pending::sure, {}});
             break;
         case ShadeEvent::refract:
             visit.state.total = out.state.total;

@@ -16,8 +16,8 @@
 
 #include <glm/mat3x3.hpp>
 
-#include "sim/judge/reference/reference.hpp"
 #include "sim/judge/paths/placed.hpp"
+#include "sim/judge/reference/reference.hpp"
 
 namespace rayclock {
 

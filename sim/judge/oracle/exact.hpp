@@ -214,12 +214,12 @@ inline Rational scaled_reciprocal(const Int& d, int precision) {
 inline Int nearest(const Rational& q) { return floor(q + Rational(1, 2)); }
 
 /// Returns raygen's result for a direction from the camera's registers (model/core/frame.hpp). The direction
-/// is multiplied by the largest power of two up to 2^most_doubled for which all components lie within
+/// is multiplied by the largest power of two up to 2^max_doubled for which all components lie within
 /// -2^(bits-1) <= d < 2^(bits-1). Then each component is rounded to the nearest integer in that range.
-inline std::array<Int, 3> filled(std::array<Rational, 3> d, int bits, int most_doubled) {
+inline std::array<Int, 3> filled(std::array<Rational, 3> d, int bits, int max_doubled) {
     const Int end = Int(1) << (bits - 1);
     const auto fits_twice = [&](const Rational& q) { return -end <= 2 * q && 2 * q < end; };
-    for (int n = 0; n < most_doubled && fits_twice(d[0]) && fits_twice(d[1]) && fits_twice(d[2]); ++n)
+    for (int n = 0; n < max_doubled && fits_twice(d[0]) && fits_twice(d[1]) && fits_twice(d[2]); ++n)
         for (Rational& q : d) q *= 2;
     std::array<Int, 3> whole;
     for (std::size_t k = 0; k < 3; ++k) whole[k] = std::min<Int>(nearest(d[k]), end - 1);

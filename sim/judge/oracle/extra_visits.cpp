@@ -9,10 +9,10 @@
 #include <tbb/parallel_for.h>
 
 #include "model/layout/tree.hpp"
+#include "model/trace/decoder.hpp"
 #include "model/trace/tree_walk.hpp"
 #include "model/unit/isect/tri.hpp"
 #include "model/unit/raygen/raygen.hpp"
-#include "model/trace/decoder.hpp"
 
 namespace rayclock {
 

@@ -6,8 +6,8 @@
 
 #include <utility>
 
-#include "model/layout/memory_image.hpp"
 #include "model/engine/bvh/box.hpp"
+#include "model/layout/memory_image.hpp"
 #include "sim/judge/oracle/overlap.hpp"
 
 namespace rayclock {

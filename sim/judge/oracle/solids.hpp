@@ -14,9 +14,9 @@
 #include <functional>
 #include <optional>
 
+#include "model/scene/hit.hpp"
 #include "sim/judge/oracle/cross.hpp"
 #include "sim/judge/oracle/tree.hpp"
-#include "model/scene/hit.hpp"
 
 namespace rayclock::oracle {
 

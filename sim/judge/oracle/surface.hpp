@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "model/layout/memory_image.hpp"
-#include "sim/judge/oracle/cross.hpp"
-#include "sim/judge/oracle/tree.hpp"
 #include "model/scene/hit.hpp"
 #include "model/scene/scene.hpp"
+#include "sim/judge/oracle/cross.hpp"
+#include "sim/judge/oracle/tree.hpp"
 
 namespace rayclock::oracle {
 

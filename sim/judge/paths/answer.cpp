@@ -17,9 +17,9 @@ using oracle::SphereRoot;
 
 /// The direction's length is 2^tick_bits units of t.
 int tick_bits(const Config& c) { return c.dir_bits - 1 + c.t_frac_bits; }
-std::int64_t most_ticks(const Config& c) { return (std::int64_t(1) << c.t_bits()) - 1; }
+std::int64_t max_ticks(const Config& c) { return (std::int64_t(1) << c.t_bits()) - 1; }
 
-/// Returns the largest allowed excess of a sphere's t, in units of t: model/unit/isect/any.hpp.
+/// Returns the largest allowed excess of a sphere's t, in units of t: model/unit/isect/test_primitive.hpp.
 double sphere_error(const SolidRay& ray, const Solid& sphere, const Config& c) {
     const glm::dvec3 d = vector_of(ray.direction);
     const double square = glm::dot(d, d), unit = std::ldexp(1.0, tick_bits(c));
@@ -51,7 +51,7 @@ bool sphere_is_sooner(const Nearest& nearest, const Solids& solids, const SolidR
 
 /// Judges t, u, v and the side of a triangle or plane that the ray does hit.
 const char* judge_values(const FlatHit& hit, const Config& c, const Closest& answer) {
-    const Int128 most = most_ticks(c);
+    const Int128 most = max_ticks(c);
     // num has up to 3N + B + 4 bits; if it would overflow, t saturates anyway.
     const Int128 t = hit.num > (Int128(1) << 90)
                          ? most
@@ -85,7 +85,7 @@ const char* judge_sphere(const Nearest& nearest, const Solids& solids, std::uint
     if (which == SphereRoot::none) return "it misses that sphere";
     const std::int64_t t = answer.t;
     const auto slack = std::int64_t(std::ceil(sphere_error(ray, sphere, c)));
-    const bool beyond = t == most_ticks(c);
+    const bool beyond = t == max_ticks(c);
     if (!beyond && !oracle::reaches_sphere(ray, sphere, which, t, tick_bits(c)))
         return "t is before the sphere";
     if (t > slack && oracle::reaches_sphere(ray, sphere, which, t - slack - 1, tick_bits(c)))
@@ -138,9 +138,10 @@ const char* no_place(const Closest& answer) {
 
 SolidRay solid_ray(const Ray& ray, const Config& c) {
     const auto kind = RayKind(ray.kind);
-    SolidRay r{ray.o, c.origin_frac(), ray.d, no_primitive, ray.inside != 0};
-    if (ray.partial != 0 && ends_at_any(ray.kind)) r.targets = SolidRay::Targets::bounded;
-    if (ray.partial != 0 && kind == RayKind::bounce) {   // its origin has lost bits: docs/proofs/origins.md
+    SolidRay r{ray.o, c.origin_frac(), ray.d, no_primitive, ray.is_inside != 0};
+    if (ray.is_partial != 0 && ends_at_any(ray.kind)) r.targets = SolidRay::Targets::bounded;
+    // The origin of a bounce from beyond the lattice has lost bits: docs/proofs/origins.md.
+    if (ray.is_partial != 0 && kind == RayKind::bounce) {
         r.targets = SolidRay::Targets::planes;
         r.frac -= light_reach + 1;
     }

@@ -22,7 +22,7 @@ Vec3i exact_direction(const Frame& frame, const Config& config, const Whitted& s
     });
     // Doubled while it fits.
     const auto fits_twice = [&](Int128 v) { return -end <= 2 * v && 2 * v < end; };
-    for (int doubled = 0; doubled < most_shift && std::all_of(sum.begin(), sum.end(), fits_twice); ++doubled)
+    for (int doubled = 0; doubled < max_shift && std::all_of(sum.begin(), sum.end(), fits_twice); ++doubled)
         for (Int128& v : sum) v *= 2;
     const Int128 most = end / unit - 1, least = config.has_instances() ? -most : -most - 1;
     return by_axis([&](std::size_t k) {

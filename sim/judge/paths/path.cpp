@@ -53,9 +53,9 @@ void PathJudge::sent(const Ray& ray) {
         ++rays_.primary;
     } else {
         demand(ray.o == expected_.o && ray.d == expected_.d, "the ray is not the one that was asked for");
-        demand((ray.partial != 0) == expected_.is_partial,
+        demand((ray.is_partial != 0) == expected_.is_partial,
                "the ray asks planes where it must not, or the other way round");
-        demand(!config_.spheres || (ray.self == expected_.self && ray.inside == expected_.inside),
+        demand(!config_.spheres || (ray.self == expected_.self && ray.is_inside == expected_.is_inside),
                "the ray leaves another surface than was asked for");
         demand(ray.holes == expected_.holes,
                "the ray ignores another number of cut-outs than the number of holes");
@@ -94,8 +94,8 @@ void PathJudge::add(const Colour& colour, const Light& exact) {
 
 void PathJudge::passed(const PassIn& in, const PassOut& out) {
     const ShadeState& s = in.state;
-    demand(fresh_ ? s.x == x_ && s.y == y_ && ShadeEvent(s.next_event) == ShadeEvent::arrive &&
-                        s.weight == full_weight && s.depth == 0
+    demand(fresh_ ? s.x == x_ && s.y == y_ && s.next_event == ShadeEvent::arrive && s.weight == full_weight &&
+                        s.depth == 0
                   : s == last_,
            "the context's state is not what the last pass left");
     demand(same_answer(in.hit, answer_) && in.hit.cutout == answer_.cutout,
@@ -114,7 +114,7 @@ void PathJudge::passed(const PassIn& in, const PassOut& out) {
         out.state.sample == sample_ && out.state.depth == branch_.depth && out.state.weight == branch_.weight,
         "a ray's weight or depth was lost");
     demand(!config_.has_textures() || out.state.path == path_, "the length of a path is wrong");
-    demand(out.state.cell == branch_.cell, "a path is on the other side of a plane");
+    demand(out.state.in_cell == branch_.cell, "a path is on the other side of a plane");
     demand(out.state.waiting == waiting_.size(), "the number of waiting rays is wrong");
     last_ = out.state;
     fresh_ = false;
@@ -135,7 +135,7 @@ void PathJudge::event(const PassIn& in, const PassOut& out) {
         }
     }
     light_holes_.clear();
-    switch (ShadeEvent(s.next_event)) {
+    switch (s.next_event) {
         case ShadeEvent::arrive: arrive(in, out); break;
         case ShadeEvent::light: light(in, out, s.light); break;
         case ShadeEvent::refract: refract(in, out); break;
@@ -181,12 +181,12 @@ void PathJudge::pop(const PassIn& in, const PassOut& out) {
     demand(in.top.o == ray.o && in.top.d == ray.d && in.top.weight == branch_.weight &&
                in.top.depth == branch_.depth && in.top.home == ray.home && in.top.path == branch_.path,
            "another ray waited");
-    demand(!config_.spheres || (in.top.self == ray.self && in.top.inside == ray.inside),
+    demand(!config_.spheres || (in.top.self == ray.self && in.top.is_inside == ray.is_inside),
            "another ray waited");
-    demand(in.top.cell == branch_.cell && (in.top.partial != 0) == ray.is_partial, "another ray waited");
+    demand(in.top.in_cell == branch_.cell && (in.top.is_partial != 0) == ray.is_partial,
+           "another ray waited");
     expect_spawn(out, ray);
-    demand(ShadeEvent(out.state.next_event) == ShadeEvent::arrive,
-           "a bounce that was sent is not waited for");
+    demand(out.state.next_event == ShadeEvent::arrive, "a bounce that was sent is not waited for");
 }
 
 void PathJudge::end_sample(const PassOut& out) {
@@ -218,7 +218,7 @@ void PathJudge::end_sample(const PassOut& out) {
         demand(out.state.colour == colour_ && out.state.sum == sum_ && out.state.least == least_ &&
                    out.state.most == most_,
                "the samples' sum is wrong");
-        demand(ShadeEvent(out.state.next_event) == ShadeEvent::arrive, "a sample's ray is not waited for");
+        demand(out.state.next_event == ShadeEvent::arrive, "a sample's ray is not waited for");
         return expect_spawn(out, {});
     }
     demand(out.leave == PassOut::Leave::pixel, "the pixel is not given out");

@@ -68,7 +68,7 @@ private:
     struct Expected {
         RayKind kind = RayKind::camera;
         Vec3i o{}, d{};
-        std::uint32_t self = 0, inside = 0;
+        std::uint32_t self = 0, is_inside = 0;
         bool is_partial = false, is_refracted = false;
         Home home{};
         std::uint32_t holes = 0;   ///< of a shadow ray: number of cut-outs that it ignores

@@ -35,8 +35,8 @@ Bend promised_bend(const ShadeState& s) {
 
 PathJudge::Branch PathJudge::bounce(const ShadeState& s, const Weight& weight, const Start& start,
                                     const Vec3i& d, bool through) const {
-    return {{RayKind::bounce, start.o, d, s.self, s.inside ^ std::uint32_t(through), start.is_beyond, through,
-             rules_.placed ? home_of(s, d) : Home{}},
+    return {{RayKind::bounce, start.o, d, s.self, s.is_inside ^ std::uint32_t(through), start.is_beyond,
+             through, rules_.placed ? home_of(s, d) : Home{}},
             weight.promised,
             branch_.depth + 1,
             through ? branch_.cell ^ place_.pane : branch_.cell,
@@ -67,7 +67,7 @@ PathJudge::Weight PathJudge::weight_of(const Share& share) const {
 void PathJudge::refract(const PassIn& in, const PassOut& out) {
     const ShadeState& s = in.state;
     demand(config_.refraction, "there is no refraction in this chip");
-    demand(out.leave == PassOut::Leave::again && ShadeEvent(out.state.next_event) == ShadeEvent::reflect,
+    demand(out.leave == PassOut::Leave::again && out.state.next_event == ShadeEvent::reflect,
            "after the refracted ray comes the reflected one");
     const Bend bend = promised_bend(s);
     const bool total = bend.cosine_squared < 0;
@@ -107,8 +107,8 @@ void PathJudge::refract(const PassIn& in, const PassOut& out) {
     demand(out.push, "a refracted ray is missing");
     waiting_.push_back(bounce(s, weight, *start, d, true));
     const Expected& ray = waiting_.back().ray;
-    const Waiting expected{ray.o,    ray.d,      weight.promised,      branch_.depth + 1,
-                           ray.self, ray.inside, waiting_.back().cell, ray.is_partial,
+    const Waiting expected{ray.o,    ray.d,         weight.promised,      branch_.depth + 1,
+                           ray.self, ray.is_inside, waiting_.back().cell, ray.is_partial,
                            path_,    ray.home};
     demand(out.pushed.weight == expected.weight, "a bounce's weight is not the product of what makes it");
     demand(out.pushed == expected, "a refracted ray does not go where Snell's law sends it");
@@ -136,15 +136,14 @@ void PathJudge::reflect(const PassIn& in, const PassOut& out) {
     const std::optional<Start> start = bounce_start_of(s, d, false);
     if (!due || !start) {
         if (due) background(weight.promised, weight.exact);
-        demand(out.leave == PassOut::Leave::again && ShadeEvent(out.state.next_event) == ShadeEvent::pop,
+        demand(out.leave == PassOut::Leave::again && out.state.next_event == ShadeEvent::pop,
                "a reflected ray is sent where none is due");
         return;
     }
     branch_ = bounce(s, weight, *start, d, false);
     holes_ = 0;
     expect_spawn(out, branch_.ray);
-    demand(ShadeEvent(out.state.next_event) == ShadeEvent::arrive,
-           "a bounce that was sent is not waited for");
+    demand(out.state.next_event == ShadeEvent::arrive, "a bounce that was sent is not waited for");
 }
 
 /// Returns true if a bounce must be sent: its weight is not below the threshold (docs/machine/shading.md,

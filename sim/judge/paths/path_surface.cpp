@@ -1,6 +1,6 @@
 // Judges the surface where a ray arrives: the point, the vectors there, and the lights.
-#include "model/compile/plane.hpp"
 #include "model/base/axes.hpp"
+#include "model/compile/plane.hpp"
 #include "model/scene/placed.hpp"
 #include "sim/judge/paths/path.hpp"
 
@@ -51,7 +51,7 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
                "the pixel's first hit is not kept");
     if (!answer_.found) {
         background(branch_.weight, branch_.exact);
-        demand(ShadeEvent(s.next_event) == ShadeEvent::pop, "after the background comes the next ray");
+        demand(s.next_event == ShadeEvent::pop, "after the background comes the next ray");
         return;
     }
     if (rules_.placed && visit_.place == oracle::PlacedRay::nowhere)
@@ -87,7 +87,7 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
             far_way = by_axis([&](std::size_t k) { return s.o[k] - in.o[k]; });
         path_ = path_length(path_, in.d, answer_.t, far_way, config_);
         demand(s.record == place_.surface.record && s.ambient == place_.surface.ambient &&
-                   (s.round != 0) == (PrimKind(place_.surface.kind) == PrimKind::sphere),
+                   (s.is_round != 0) == (PrimKind(place_.surface.kind) == PrimKind::sphere),
                "the material that was hit is not kept");
     }
     if (place_.texture && !rules_.placed) return demand_texture(s, out);
@@ -95,7 +95,7 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
     if (rules_.placed) {
         demand(rules_.placed->is_map_of(visit_.place, in.placement),
                "memory does not hold the instance that was hit");
-        return demand(ShadeEvent(s.next_event) == ShadeEvent::transform,
+        return demand(s.next_event == ShadeEvent::transform,
                       "no transform pass follows an instance's surface");
     }
     demand_lights(s);
@@ -110,7 +110,7 @@ void PathJudge::demand_scale(const TexReq& hit, std::uint32_t place) {
 
 /// Judges the request to tex. The texture's colour and the ambient light come later.
 void PathJudge::demand_texture(const ShadeState& s, const PassOut& out) {
-    demand(ShadeEvent(s.next_event) == ShadeEvent::texture, "no texture pass follows a textured surface");
+    demand(s.next_event == ShadeEvent::texture, "no texture pass follows a textured surface");
     const TexReq& hit = out.tex;
     demand_scale(hit, visit_.place);
     bool is_there = hit.u == answer_.u && hit.v == answer_.v;
@@ -152,13 +152,13 @@ void PathJudge::texture(const PassIn& in, const PassOut& out) {
         return demand_lights(s);
     }
     // The ray starts at the hit point in the triangle, keeps its direction, and leaves on the other side.
-    Expected ray{RayKind::bounce, {}, bounce_ray_.d, s.self, s.inside};
+    Expected ray{RayKind::bounce, {}, bounce_ray_.d, s.self, s.is_inside};
     ray.o = by_axis([&](std::size_t k) { return std::int32_t(s.o[k]); });
     ray.is_refracted = true;
     if (rules_.placed) ray.home = home_of(s, ray.d);
     demand(dot(s.n, way_of(ray)) < 0, "a ray continues on the side from which it came");
     expect_spawn(out, ray);
-    demand(ShadeEvent(s.next_event) == ShadeEvent::arrive, "no pass awaits the hit of a continued ray");
+    demand(s.next_event == ShadeEvent::arrive, "no pass awaits the hit of a continued ray");
 }
 
 std::optional<TexturedSurface> PathJudge::textured(std::uint32_t primitive) const {
@@ -195,7 +195,7 @@ void PathJudge::cutout(const PassIn& in, const PassOut& out) {
 
 void PathJudge::demand_lights(const ShadeState& s) {
     const bool lights = !rules_.inputs.scene.lights.empty();
-    demand(s.light == 0 && ShadeEvent(s.next_event) == (lights ? ShadeEvent::light : after_lights(s)),
+    demand(s.light == 0 && s.next_event == (lights ? ShadeEvent::light : after_lights(s)),
            "after a surface come its lights");
 }
 
@@ -209,7 +209,7 @@ void PathJudge::judge_place(const PassIn& in, const ShadeState& s) {
         judge_flat_place(in, s, toward);
     }
     judge_vectors(in, s, toward);
-    demand(s.self == answer_.prim && s.inside == answer_.back, "the surface that was hit is not kept");
+    demand(s.self == answer_.prim && s.is_inside == answer_.back, "the surface that was hit is not kept");
     demand(s.diffuse == surface.diffuse && s.highlight == surface.highlight && s.mirror == surface.mirror &&
                s.transmit == surface.transmit && s.shine == surface.shine && s.schlick == surface.schlick &&
                s.r0 == surface.r0,
@@ -266,7 +266,8 @@ void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& t
         is_plane && (hit_u == last || hit_v == last || hit_u == -last - 1 || hit_v == -last - 1);
     place_.is_lost = ends || beyond;
     place_.is_far = place_.is_lost || (config_.planes && outside);
-    demand((s.far != 0) == place_.is_far && (s.lost != 0) == place_.is_lost, "a point is far off, or is not");
+    demand((s.is_far != 0) == place_.is_far && (s.is_lost != 0) == place_.is_lost,
+           "a point is far off, or is not");
     for (std::size_t k = 0; k < 3; ++k) {
         demand(s.n[k] == normal[k] * (answer_.back ? -1 : 1),
                "the normal is not the triangle's, turned to the side that is seen");
@@ -338,7 +339,7 @@ void PathJudge::judge_sphere_place(const PassIn& in, const ShadeState& s) {
         demand(s.n[k] == (answer_.back ? -normal : normal),
                "the normal is not the sphere's, turned to the side that is seen");
     }
-    demand(s.far == 0 && s.lost == 0, "a sphere is never far off");
+    demand(s.is_far == 0 && s.is_lost == 0, "a sphere is never far off");
     demand(s.albedo == place_.surface.colour, "the colour is not the surface's");
 }
 
@@ -371,7 +372,7 @@ void PathJudge::light(const PassIn& in, const PassOut& out, std::uint32_t number
     const auto all = std::uint32_t(rules_.inputs.scene.lights.size());
     demand(number < all, "there is no such light");
     demand(out.state.light == number + 1 &&
-               ShadeEvent(out.state.next_event) == (number + 1 < all ? ShadeEvent::light : after_lights(s)),
+               out.state.next_event == (number + 1 < all ? ShadeEvent::light : after_lights(s)),
            "a light is left out or asked twice");
     if (number >= all) return;
     const bool near = frame_.shade.near[number] != 0, to_the_point = near && !place_.is_far;
@@ -383,7 +384,7 @@ void PathJudge::light(const PassIn& in, const PassOut& out, std::uint32_t number
 
     // A shadow ray goes exactly from the light to a point within the lattice. Otherwise the ray leaves the
     // point along a rounded direction.
-    Expected ray{to_the_point ? RayKind::shadow : RayKind::away, {}, {}, s.self, s.inside};
+    Expected ray{to_the_point ? RayKind::shadow : RayKind::away, {}, {}, s.self, s.is_inside};
     for (std::size_t k = 0; k < 3; ++k)
         ray.d[k] =
             to_the_point ? std::int32_t(-way[k]) : (near ? -1 : 1) * direction_component(out.light.unit[k]);

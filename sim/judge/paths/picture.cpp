@@ -6,18 +6,18 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
-#include "model/compile/surfaces.hpp"
 #include "model/base/stopwatch.hpp"
-#include "sim/judge/reference/tiles.hpp"
+#include "model/compile/surfaces.hpp"
 #include "model/trace/record_shaded.hpp"
 #include "sim/judge/paths/camera.hpp"
 #include "sim/judge/paths/path.hpp"
+#include "sim/judge/reference/tiles.hpp"
 
 namespace rayclock {
 
 namespace {
 
-constexpr std::size_t most_faults = 20;
+constexpr std::size_t max_faults = 20;
 
 /// The objects of one thread.
 struct Bench {
@@ -41,7 +41,7 @@ void judge_pixel(Bench& bench, std::uint32_t x, std::uint32_t y, std::size_t at,
         judge.fail("the pixel's rays are not those of the frame");
     if (!judge.is_wrong()) return;
     wrong[at] = 1;
-    if (bench.faults.size() < most_faults)
+    if (bench.faults.size() < max_faults)
         bench.faults.push_back({x, y, judge.fault().ray, judge.fault().what});
 }
 
@@ -100,7 +100,7 @@ PictureJudgement PictureJudge::judge(const MachineOutput& given, int threads,
     j.wrong = j.faults.size();
     if (placed && !placed->faults().empty()) {   // rays cannot be traced through wrong memory
         j.pixels.assign(wrong.size(), true);
-        j.faults.resize(std::min(j.faults.size(), most_faults));
+        j.faults.resize(std::min(j.faults.size(), max_faults));
         j.seconds = watch.seconds();
         return j;
     }
@@ -123,7 +123,7 @@ PictureJudgement PictureJudge::judge(const MachineOutput& given, int threads,
         return std::pair(a.y, a.x) < std::pair(b.y, b.x);
     });
     j.faults.insert(j.faults.end(), faults.begin(), faults.end());
-    if (j.faults.size() > most_faults) j.faults.resize(most_faults);
+    if (j.faults.size() > max_faults) j.faults.resize(max_faults);
     j.pixels.assign(wrong.begin(), wrong.end());
     j.colours = wrong.size();
     j.wrong += std::uint64_t(std::count(wrong.begin(), wrong.end(), 1));

@@ -6,8 +6,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "model/engine/engines.hpp"
 #include "model/compile/surfaces.hpp"
+#include "model/engine/engines.hpp"
 #include "sim/judge/paths/answer.hpp"
 
 namespace rayclock {
@@ -108,9 +108,9 @@ PlacedWorld::PlacedWorld(const FrameInputs& inputs, const MemoryImage& image)
         placed.is_mirrored = glm::determinant(linear) < 0;
         placed.is_same = linear == std::ldexp(1.0, config_.map_frac()) * glm::dmat3(1) &&
                          place.b == std::array<std::int64_t, 3>{};
-        if (is_there && config_.shading && (map.same != 0) != placed.is_same)
-            fault(map.same ? " is said to be placed by the identity, and is not"
-                           : " is placed by the identity, and memory does not say so");
+        if (is_there && config_.shading && (map.is_same != 0) != placed.is_same)
+            fault(map.is_same ? " is said to be placed by the identity, and is not"
+                              : " is placed by the identity, and memory does not say so");
         if (is_there && placed.mesh == own_round && !placed.is_same) fault(" are not placed by the identity");
     }
     std::vector<Solids> meshes;
@@ -184,7 +184,7 @@ PlacedWorld::Made PlacedWorld::make(const PlacedScene& scene, const SharedMesh& 
     made.scene.textures = scene.own.textures;
     made.solids = solids_of(made.scene, steps(config_.coord_bits), config_.coord_bits);
     const double end = std::ldexp(1, config_.coord_bits - 1) - 0.5,
-                 slack = lattice_slack + (config_.shading ? std::ldexp(1, most_fine) : 0);
+                 slack = lattice_slack + (config_.shading ? std::ldexp(1, max_fine) : 0);
     for (const Triangle& triangle : made.scene.triangles)
         for (const std::uint32_t index : triangle.vertex) {
             const glm::dvec3 at = glm::abs((given[index] - of.lattice.centre) / of.lattice.pitch);

@@ -9,8 +9,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "sim/judge/oracle/placed.hpp"
 #include "model/scene/placed.hpp"
+#include "sim/judge/oracle/placed.hpp"
 #include "sim/judge/paths/texture.hpp"
 #include "sim/judge/paths/world.hpp"
 

@@ -178,7 +178,7 @@ void set_plane(const Plane& plane, const PlaneOnLattice& on, TexturedSurface& ou
                          shift = period * std::floor((low + high) / 2 / period);
             low -= shift, high -= shift;
         }
-        out.is_average |= !(low >= -most_coordinate && high <= most_coordinate);
+        out.is_average |= !(low >= -max_coordinate && high <= max_coordinate);
     }
 }
 

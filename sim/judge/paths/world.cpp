@@ -7,8 +7,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "model/compile/plane.hpp"
 #include "model/base/axes.hpp"
+#include "model/compile/plane.hpp"
 #include "sim/judge/paths/steps.hpp"
 #include "sim/judge/paths/texture.hpp"
 
@@ -61,7 +61,7 @@ void put_material(const Material& m, Surface& s) {
 
 /// Returns the exponent of the largest power of two that divides all components of the edges, up to a limit.
 std::uint32_t fineness(const oracle::Corners& t, const Config& c) {
-    const auto most = std::uint32_t(std::clamp(c.bary_bits - c.origin_bits, 0, most_fine));
+    const auto most = std::uint32_t(std::clamp(c.bary_bits - c.origin_bits, 0, max_fine));
     for (std::uint32_t bits = most; bits > 0; --bits) {
         bool all = true;
         for (std::size_t k = 0; k < 3; ++k)
@@ -97,7 +97,7 @@ bool is_shut_in(const FrameInputs& inputs, const Vec3i& point) {
 
 /// Returns the largest sine by which a plane may turn on the lattice: T of
 /// docs/proofs/who-checks-the-rules.md, Planes on the lattice.
-double most_turn(const Plane& plane, const PlaneOnLattice& on, const Lattice& lattice) {
+double max_turn(const Plane& plane, const PlaneOnLattice& on, const Lattice& lattice) {
     const glm::dvec3 p = std::ldexp(1.0, -on.level[0]) * plane.u / lattice.pitch,
                      q = std::ldexp(1.0, -on.level[1]) * plane.v / lattice.pitch;
     const double a = glm::length(p), b = glm::length(q), half = 0.5 * std::sqrt(3.0);
@@ -119,7 +119,7 @@ bool is_between_as_stated(const FrameInputs& inputs, const glm::dvec3& light, bo
         const glm::dvec3 n = glm::cross(plane.u, plane.v), to_eye = inputs.scene.camera->eye - plane.point,
                          to_light = light - plane.point;
         const PlaneOnLattice on = plane_on_lattice(plane, inputs.lattice);
-        const double turn = most_turn(plane, on, inputs.lattice), step = inputs.lattice.coarsest();
+        const double turn = max_turn(plane, on, inputs.lattice), step = inputs.lattice.coarsest();
         const glm::dvec3 a = inputs.lattice.centre + inputs.lattice.pitch * vector_of(on.a);
         // The bound of docs/proofs/who-checks-the-rules.md.
         const auto is_open = [&](double height, const glm::dvec3& point) {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "model/scene/whitted.hpp"
 #include "model/layout/memory_image.hpp"
+#include "model/scene/whitted.hpp"
 #include "sim/judge/oracle/solids.hpp"
 
 namespace rayclock {

@@ -1,8 +1,8 @@
 #pragma once
 // The reference tracer's search for hits: its hierarchies, and the closest hit and shadow queries.
-#include <functional>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include <glm/common.hpp>

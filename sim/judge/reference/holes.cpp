@@ -64,10 +64,10 @@ Hidden hidden_at(const RefGeometry& geometry, const Scene& scene, const RefPath&
         const Material& material = scene.materials[scene.triangles[hit.primitive].material];
         return !material.texture || material.cutoff <= 0;
     };
-    std::size_t count = 0;   // beyond most_holes, the light is hidden in any case
+    std::size_t count = 0;   // beyond max_holes, the light is hidden in any case
     const std::vector<RefClosest> hits = geometry.hits_before(
-        path, distance, [&](const RefClosest& hit) { return is_opaque(hit) || ++count > most_holes; });
-    if (hits.size() > most_holes || std::ranges::any_of(hits, is_opaque)) return {true, true};
+        path, distance, [&](const RefClosest& hit) { return is_opaque(hit) || ++count > max_holes; });
+    if (hits.size() > max_holes || std::ranges::any_of(hits, is_opaque)) return {true, true};
     Hidden found;
     for (const RefClosest& hit : hits) {
         const Material& material = scene.materials[scene.triangles[hit.primitive].material];

@@ -20,7 +20,7 @@ struct Hidden {
 
 /// Tests the path up to `distance`. Light passes through a triangle with a cut-off where the alpha of its
 /// texture is below the cut-off, at the level for the length of the path to the surface (path.travelled) and
-/// a cosine of 1. More than most_holes holes hide the light. `spread`: sample_spread() of the picture.
+/// a cosine of 1. More than max_holes holes hide the light. `spread`: sample_spread() of the picture.
 Hidden hidden_at(const RefGeometry& geometry, const Scene& scene, const RefPath& path, double distance,
                  double spread, const HoleSlack& slack = {});
 

@@ -5,8 +5,8 @@
 
 #include <glm/mat3x3.hpp>
 
-#include "sim/judge/reference/geometry.hpp"
 #include "model/scene/placed.hpp"
+#include "sim/judge/reference/geometry.hpp"
 
 namespace rayclock {
 

@@ -13,8 +13,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "sim/judge/reference/hierarchy.hpp"
 #include "model/scene/hit.hpp"
+#include "sim/judge/reference/hierarchy.hpp"
 
 #if defined(__SSE2__)
 #include <emmintrin.h>

@@ -2,11 +2,11 @@
 #include "sim/judge/reference/reference.hpp"
 
 #include "model/base/error.hpp"
+#include "model/scene/folded.hpp"
 #include "sim/judge/reference/geometry.hpp"
 #include "sim/judge/reference/instances.hpp"
 #include "sim/judge/reference/tiles.hpp"
 #include "sim/judge/reference/whitted.hpp"
-#include "model/scene/folded.hpp"
 
 namespace rayclock {
 

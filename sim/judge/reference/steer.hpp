@@ -9,8 +9,8 @@
 // All vectors are in the tracer's space (RefUnitSpace), and directions are unit vectors.
 #include <array>
 
-#include "sim/judge/reference/ray.hpp"
 #include "model/scene/scene.hpp"
+#include "sim/judge/reference/ray.hpp"
 
 namespace rayclock {
 
@@ -58,32 +58,34 @@ public:
     virtual void begin_sample(std::uint32_t sample, RefPath& path) = 0;
     /// Returns true if the pixel takes no more samples. `difference` is the largest difference between two of
     /// its samples in one channel. `own` is the tracer's own decision.
-    virtual bool ends(std::uint32_t samples, double difference, bool own) = 0;
+    virtual bool ends_sampling(std::uint32_t samples, double difference, bool own) = 0;
 
     /// Returns the hit of a path.
-    virtual RefClosest met(const RefPath& path, const RefClosest& own) = 0;
+    virtual RefClosest choose_hit(const RefPath& path, const RefClosest& own) = 0;
     /// Replaces the normals of a smooth triangle's corners and the weights that interpolate them. The normals
     /// point outwards. `is_open`: their sum lies so near the triangle's plane that doubles cannot decide
     /// whether it points outwards.
     virtual void round_corners(RefClosest& hit, std::array<glm::dvec3, 3>& normals, bool is_open) = 0;
     /// Returns a plane's colour at the hit.
-    virtual glm::dvec3 square(const RefClosest& hit, const Material& material, const glm::dvec3& own) = 0;
+    virtual glm::dvec3 plane_colour(const RefClosest& hit, const Material& material,
+                                    const glm::dvec3& own) = 0;
     /// Replaces the picture's colour at a hit of a textured surface, and the flag for a hole. `surface` has
     /// the colour without the picture, and normals that point outwards.
     virtual void texel(const RefClosest& hit, const RefSurface& surface, RefTexel& own) = 0;
     /// Replaces the point from which rays leave.
-    virtual void place(RefSurface& surface) = 0;
+    virtual void move_ray_origin(RefSurface& surface) = 0;
 
     /// Returns true if a light counts, before the shadow ray. `side` is the cosine with the flat normal,
     /// `lambert` that with the shading normal.
-    virtual bool counts(std::size_t light, double side, double lambert) = 0;
+    virtual bool light_counts(std::size_t light, double side, double lambert) = 0;
     /// Returns true if something blocks the path from the surface to a light that counts.
     virtual bool is_blocked(std::size_t light, const RefPath& path, double distance, bool own) = 0;
 
     /// Returns true if refraction becomes total reflection.
     virtual bool is_total(const RefSurface& surface, double ratio, double cosine, bool own) = 0;
-    /// Returns true if the tracer sends a bounce. Then met() follows for it, between enter() and leave().
-    virtual bool goes(RefBounce& bounce) = 0;
+    /// Returns true if the tracer sends a bounce. Then choose_hit() follows for it, between enter() and
+    /// leave().
+    virtual bool accept_bounce(RefBounce& bounce) = 0;
     virtual void enter(RefBounce::Interaction interaction) = 0;
     virtual void leave() = 0;
 };

@@ -129,7 +129,7 @@ void Tracer::on_plane(const RefClosest& hit, RefSurface& surface) const {
     const bool is_other =
         surface.material->checkered && std::fmod(std::floor(hit.u) + std::floor(hit.v), 2) != 0;
     surface.colour = is_other ? surface.material->other : surface.material->colour;
-    if (steer_) surface.colour = steer_->square(hit, *surface.material, surface.colour);
+    if (steer_) surface.colour = steer_->plane_colour(hit, *surface.material, surface.colour);
 }
 
 /// Finds the place in the texture of the surface that was hit, and the density of its texels
@@ -194,7 +194,7 @@ RefSurface Tracer::surface_of(const RefPath& path, const RefClosest& hit) const 
         surface.flat = -surface.flat;
         surface.normal = -surface.normal;
     }
-    if (steer_) steer_->place(surface);
+    if (steer_) steer_->move_ray_origin(surface);
     return surface;
 }
 
@@ -217,8 +217,8 @@ glm::dvec3 Tracer::light(const RefPath& path, const RefSurface& surface, std::si
     if (!(faces > 0) && !steer_) return glm::dvec3(0);
     const glm::dvec3 l = glm::normalize(to_light);
     const double lambert = side * glm::dot(surface.normal, l);
-    const bool counts =
-        steer_ ? steer_->counts(number, faces / glm::length(to_light), lambert) : faces > 0 && lambert > 0;
+    const bool counts = steer_ ? steer_->light_counts(number, faces / glm::length(to_light), lambert)
+                               : faces > 0 && lambert > 0;
     if (!counts) return glm::dvec3(0);
 
     ++counts_.shadow;
@@ -307,7 +307,7 @@ void Tracer::reflect_and_refract(const RefPath& path, const RefSurface& surface,
 }
 
 bool Tracer::sends(RefBounce& bounce) const {
-    if (steer_) return steer_->goes(bounce);
+    if (steer_) return steer_->accept_bounce(bounce);
     const double side = glm::dot(bounce.direction, bounce.surface.flat);
     return bounce.weighs_enough &&
            (bounce.interaction == RefBounce::Interaction::reflected ? side > 0 : side < 0);
@@ -323,7 +323,7 @@ void Tracer::follow_bounce(const RefBounce& bounce, int depth) {
 void Tracer::shade(const RefPath& path, const RefClosest& hit, double weight, int depth) {
     const RefSurface surface = surface_of(path, hit);
     const Material& m = *surface.material;
-    if (surface.is_hole && path.holes < most_holes) {
+    if (surface.is_hole && path.holes < max_holes) {
         ++counts_.refraction;
         if (steer_) steer_->enter(RefBounce::Interaction::passed);
         RefPath onward = leave(surface, path.direction, true);
@@ -348,7 +348,7 @@ void Tracer::report_ray(const RefPath& path, double reach, bool hits,
 
 RefClosest Tracer::closest(const RefPath& path) {
     RefClosest hit = geometry_.closest(path);
-    if (steer_) hit = steer_->met(path, hit);
+    if (steer_) hit = steer_->choose_hit(path, hit);
     const bool hits = hit.primitive != no_primitive;
     if (watch_.see) report_ray(path, hits ? hit.depth : HUGE_VAL, hits);
     return hit;
@@ -395,7 +395,7 @@ glm::dvec3 Tracer::pixel(const PixelRays& rays, std::uint32_t x, std::uint32_t y
         const double difference = std::max(range.r, std::max(range.g, range.b));
         const bool may_end = s + 1 == first_samples && settings_.contrast > 0;
         bool ends = may_end && difference <= settings_.contrast;
-        if (steer_ && may_end) ends = steer_->ends(s + 1, difference, ends);
+        if (steer_ && may_end) ends = steer_->ends_sampling(s + 1, difference, ends);
         if (ends) return total / static_cast<double>(first_samples);
     }
     return total / static_cast<double>(samples);

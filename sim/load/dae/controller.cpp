@@ -11,7 +11,7 @@
 namespace rayclock {
 namespace {
 
-constexpr int most_controllers = 8;   // nesting depth
+constexpr int max_controllers = 8;   // nesting depth
 
 const XmlElement* input(const XmlElement& in, std::string_view semantic) {
     for (const XmlElement& child : in.children)
@@ -54,7 +54,7 @@ DaePose DaeControllers::pose(const XmlElement& instance) {
 void DaeControllers::apply(const XmlElement& controller, const XmlElement& instance, DaePose& pose,
                            int depth) {
     if (controller.name == "geometry") return void(pose.geometry = &controller);
-    if (depth == most_controllers)
+    if (depth == max_controllers)
         document_.refuse(controller, fmt::format("more than {} nested controllers", depth));
     const XmlElement *const skin = controller.find("skin"), *const morph = controller.find("morph"),
                             *const in = skin ? skin : morph;

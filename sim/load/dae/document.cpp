@@ -121,9 +121,9 @@ std::uint64_t DaeDocument::whole(const XmlElement& in, const char* key, std::uin
 }
 
 std::uint64_t DaeDocument::offset(const XmlElement& input) const {
-    constexpr std::uint64_t most_inputs = 64;
+    constexpr std::uint64_t max_inputs = 64;
     const std::uint64_t offset = whole(input, "offset", 0);
-    if (offset >= most_inputs) refuse(input, fmt::format("an offset of {}", offset));
+    if (offset >= max_inputs) refuse(input, fmt::format("an offset of {}", offset));
     return offset;
 }
 

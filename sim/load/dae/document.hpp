@@ -10,8 +10,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "sim/load/loading.hpp"
 #include "sim/load/dae/xml.hpp"
+#include "sim/load/loading.hpp"
 
 namespace rayclock {
 

@@ -116,9 +116,9 @@ glm::dvec2 DaeGeometries::on_picture(const XmlElement& list, Inputs& inputs, std
                                  index, inputs.coordinates->count));
     const glm::dvec2 given = inputs.coordinates->on_picture(index);
     for (const double x : {given.x, given.y})
-        if (!(std::abs(x) <= most_given_coordinate))
+        if (!(std::abs(x) <= max_given_coordinate))
             return fault(fmt::format("texture coordinate {} has the value {}; the most is {}", index, x,
-                                     most_given_coordinate));
+                                     max_given_coordinate));
     return {given.x, 1 - given.y};
 }
 

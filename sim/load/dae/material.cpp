@@ -111,10 +111,10 @@ const DaeMaterials::Effect& DaeMaterials::effect(const XmlElement& in) {
     take_params(*technique, "newparam", "sid", made.params);
     for (const char* kind : {"phong", "blinn", "lambert", "constant"})
         if (!made.shader) made.shader = technique->find(kind);
-    constexpr std::size_t most_children = 100;   // each material looks through all of them
-    if (made.shader && made.shader->children.size() > most_children)
+    constexpr std::size_t max_children = 100;   // each material looks through all of them
+    if (made.shader && made.shader->children.size() > max_children)
         document_.refuse(*made.shader,
-                         fmt::format("{} with more than {} elements", made.shader->name, most_children));
+                         fmt::format("{} with more than {} elements", made.shader->name, max_children));
     return made;
 }
 

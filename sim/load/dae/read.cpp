@@ -16,7 +16,7 @@
 namespace rayclock {
 namespace {
 
-constexpr int most_deep = 500;   // visit() is recursive
+constexpr int max_node_depth = 500;   // visit() is recursive
 
 /// The id of a symbol's material. `sets`: the set of coordinates for each name that its pictures use.
 struct Binding {
@@ -67,8 +67,8 @@ private:
     };
 
     void visit(const XmlElement& node, glm::dmat4 place, int depth) {
-        if (depth > most_deep)
-            document_.refuse(node, fmt::format("nodes are nested deeper than {}", most_deep));
+        if (depth > max_node_depth)
+            document_.refuse(node, fmt::format("nodes are nested deeper than {}", max_node_depth));
         // A node may be instanced many times. Each visit reads it and lists its geometries, so charge every
         // visit.
         std::uint64_t cost = sizeof(Copy) * (1 + node.children.size());

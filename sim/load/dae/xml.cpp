@@ -20,7 +20,7 @@ template <class Parser> std::uint64_t line_of(Parser parser) {
         return XML_GetCurrentLineNumber(parser);
 }
 
-constexpr std::size_t most_nested_elements = 600;
+constexpr std::size_t max_nested_elements = 600;
 
 /// The state of the parser. Expat is written in C, so no exception may cross it. stop() keeps the first error
 /// and stops the parser.
@@ -43,8 +43,8 @@ struct Reading {
 void begin_element(void* user, const XML_Char* name, const XML_Char** attributes) {
     Reading& r = *static_cast<Reading*>(user);
     if (r.complaint) return;
-    if (r.open.size() > most_nested_elements)
-        return r.stop(fmt::format("elements are nested deeper than {}", most_nested_elements));
+    if (r.open.size() > max_nested_elements)
+        return r.stop(fmt::format("elements are nested deeper than {}", max_nested_elements));
     if (!r.loading->may_make(sizeof(XmlElement))) return r.stop(r.loading->too_much());
     XmlElement& element = r.open.back()->children.emplace_back();
     element.name = name;

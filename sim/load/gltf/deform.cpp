@@ -12,7 +12,7 @@ namespace rayclock {
 namespace {
 
 // Files round the weights of a vertex, at worst to bytes. Sums within this distance of 1 get no warning.
-constexpr double most_off = 0.02;
+constexpr double max_off = 0.02;
 
 /// Returns the weights of the morph targets from the node, or from its mesh.
 std::optional<JsonValue> weights_of(const JsonValue& node, const JsonValue& mesh) {
@@ -188,7 +188,7 @@ void GltfDeformer::normalise(std::size_t vertex, std::size_t first, double sum, 
         warnings_.count("vertex", "of a skin without a weight, carried by the first joint", 0, place);
         to.pulls.push_back({joint < double(to.joints.size()) ? std::uint32_t(joint) : 0, 1});
         sum = 1;
-    } else if (!(std::abs(sum - 1) <= most_off)) {
+    } else if (!(std::abs(sum - 1) <= max_off)) {
         warnings_.count("vertex", "of a skin with weights that do not sum to 1, taken by their proportion", 0,
                         place);
     }

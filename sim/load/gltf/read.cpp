@@ -26,7 +26,7 @@
 namespace rayclock {
 namespace {
 
-constexpr int max_depth = 500;   // visit() is recursive
+constexpr int max_node_depth = 500;   // visit() is recursive
 
 class GltfReader {
 public:
@@ -378,7 +378,7 @@ private:
     void visit(std::uint64_t index, int depth, const NodePlace& above) {
         const JsonValue in = in_.at("nodes")[index];
         if (visited_[index]) in.refuse("appears twice in the tree of nodes");
-        if (depth > max_depth) in.refuse(fmt::format("is nested deeper than {} nodes", max_depth));
+        if (depth > max_node_depth) in.refuse(fmt::format("is nested deeper than {} nodes", max_node_depth));
         visited_[index] = true;
         const NodePlace where = where_of(in, index, above);
         wheres_[index] = where;

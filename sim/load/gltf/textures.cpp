@@ -91,12 +91,12 @@ glm::dvec2 GltfMapping::operator()(const glm::dvec2& st) const {
 GltfMapping GltfTextures::mapping(const GltfMaterial& material) const {
     GltfMapping out;
     const JsonValue& reference = *material.base_texture;
-    constexpr std::uint64_t most_sets = 1000;
-    out.set = reference.whole_or("texCoord", most_sets, 0);
+    constexpr std::uint64_t max_sets = 1000;
+    out.set = reference.whole_or("texCoord", max_sets, 0);
     const auto extensions = reference.find("extensions");
     const auto transform = extensions ? extensions->find("KHR_texture_transform") : std::nullopt;
     if (!transform) return out;
-    out.set = transform->whole_or("texCoord", most_sets, out.set);
+    out.set = transform->whole_or("texCoord", max_sets, out.set);
     out.rotation = transform->number_or("rotation", 0);
     const auto pair = [&](std::string_view key, glm::dvec2& pair) {
         const auto given = transform->find(key);

@@ -8,11 +8,11 @@
 
 #include <fmt/format.h>
 
-#include "sim/files/input.hpp"
-#include "sim/files/text.hpp"
 #include "sim/files/cache/libraries.hpp"
+#include "sim/files/input.hpp"
 #include "sim/files/process/interrupt.hpp"
 #include "sim/files/process/process.hpp"
+#include "sim/files/text.hpp"
 
 namespace rayclock {
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/load/import/assimp.hpp"
 #include "sim/load/gltf/buffers.hpp"
+#include "sim/load/import/assimp.hpp"
 #include "sim/load/mesh/mesh_file.hpp"
 #include "sim/load/textures.hpp"
 

@@ -49,9 +49,9 @@ Track<glm::dquat> turns_of(const JsonValue& keyframes, const std::vector<double>
         turns.push_back(turn_of(in));
         double far = 0;
         if (i > 0 && turns[i].axis == turns[i - 1].axis) far = turns[i].degrees - turns[i - 1].degrees;
-        if (!(std::abs(far) <= most_degrees))
+        if (!(std::abs(far) <= max_degrees))
             in.at("degrees").refuse(
-                fmt::format("turns by {} from the key before; the most is {:.0f}", far, most_degrees));
+                fmt::format("turns by {} from the key before; the most is {:.0f}", far, max_degrees));
         parts.push_back(std::max(1, int(std::ceil(std::abs(far) / 90))));
         all += std::uint64_t(parts.back());
     }

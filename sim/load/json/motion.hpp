@@ -8,7 +8,7 @@
 namespace rayclock {
 
 /// The largest rotation between two keys, in degrees.
-constexpr double most_degrees = 360'000;
+constexpr double max_degrees = 360'000;
 /// The latest time of a key, in seconds; the earliest is 0.
 constexpr double latest_time = 1e6;
 

@@ -57,8 +57,8 @@ int number_or(const JsonValue& in, std::string_view key, int usual, int least, i
 
 int texels_on_side(const JsonValue& in) {
     const double number = in.number();
-    if (!(number >= 1 && number <= most_texture_side) || std::exp2(std::ilogb(number)) != number)
-        in.expected(fmt::format("a power of two from 1 to {}", most_texture_side));
+    if (!(number >= 1 && number <= max_texture_side) || std::exp2(std::ilogb(number)) != number)
+        in.expected(fmt::format("a power of two from 1 to {}", max_texture_side));
     return int(number);
 }
 
@@ -106,8 +106,8 @@ Pattern pattern_of(const JsonValue& in) {
     }
     if (out.kind == Pattern::Kind::bricks) out.columns = 4, out.rows = 8;
     if (out.kind == Pattern::Kind::noise) out.columns = out.rows = 4;
-    out.octaves = number_or(in, "octaves", out.octaves, 1, most_octaves);
-    const int most = out.kind == Pattern::Kind::noise ? most_cells >> (out.octaves - 1) : most_cells;
+    out.octaves = number_or(in, "octaves", out.octaves, 1, max_octaves);
+    const int most = out.kind == Pattern::Kind::noise ? max_cells >> (out.octaves - 1) : max_cells;
     out.columns = number_or(in, "columns", out.columns, 1, most);
     out.rows = number_or(in, "rows", out.rows, 1, most);
     weight(in, "joint", out.joint);
@@ -181,7 +181,7 @@ Light light_of(const JsonValue& in) {
 Light light_of_keys(const JsonValue& in) {
     Light light;
     light.position = in.at("position").triple();
-    if (const auto colour = in.find("colour")) light.colour = components(*colour, most_light);
+    if (const auto colour = in.find("colour")) light.colour = components(*colour, max_light);
     return light;
 }
 
@@ -271,8 +271,8 @@ Plane plane_of(const JsonValue& in) {
         for (std::size_t i = 0; i < 3; ++i) {
             plane.coordinates[i] = point_of((*corners)[i]);
             for (const double x : {plane.coordinates[i].x, plane.coordinates[i].y})
-                if (!(std::abs(x) <= most_given_coordinate))
-                    (*corners)[i].expected(fmt::format("within -{0} and {0}", most_given_coordinate));
+                if (!(std::abs(x) <= max_given_coordinate))
+                    (*corners)[i].expected(fmt::format("within -{0} and {0}", max_given_coordinate));
         }
     }
     return plane;

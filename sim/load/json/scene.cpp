@@ -10,17 +10,18 @@
 
 #include "model/base/error.hpp"
 #include "model/base/nearest.hpp"
+#include "model/core/config.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/scene/folded.hpp"
 #include "model/scene/hit.hpp"
 #include "sim/files/input.hpp"
+#include "sim/files/text.hpp"
 #include "sim/load/json/motion.hpp"
 #include "sim/load/json/parts.hpp"
 #include "sim/load/json/shapes.hpp"
 #include "sim/load/mesh/mesh_file.hpp"
 #include "sim/load/place.hpp"
 #include "sim/load/textures.hpp"
-#include "sim/files/text.hpp"
 
 namespace rayclock {
 namespace {
@@ -146,8 +147,8 @@ private:
     }
 
     void read_lights(const JsonValue& list) {
-        if (list.size() > most_lights)
-            list.refuse(fmt::format("has {} lights; the most is {}", list.size(), most_lights));
+        if (list.size() > std::size_t(max_lights))
+            list.refuse(fmt::format("has {} lights; the most is {}", list.size(), max_lights));
         for (std::size_t i = 0; i < list.size(); ++i) {
             const auto keys = list[i].find("keyframes");
             if (!keys) {
@@ -371,7 +372,7 @@ private:
         if (is_singular(where.place))
             from.refuse("flattens its mesh, or scales it too far, together with the places around it");
         // A scene with too many triangles stays folded: its instances are not expanded.
-        const bool is_folded = placed_triangles_ > most_unfolded;
+        const bool is_folded = placed_triangles_ > max_unfolded;
         make_room(from, sizeof(Instance) + (is_folded ? 0 : bytes_of(placed_.meshes[mesh])));
         if (where.node)
             placed_.motion.attached.push_back(

@@ -7,8 +7,8 @@
 
 #include "sim/files/input.hpp"
 #include "sim/files/text.hpp"
-#include "sim/load/import/assimp.hpp"
 #include "sim/load/gunzip.hpp"
+#include "sim/load/import/assimp.hpp"
 #include "sim/load/mesh/triangulate.hpp"
 
 namespace rayclock {

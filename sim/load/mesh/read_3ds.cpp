@@ -351,10 +351,10 @@ private:
                                    m.coordinates.size(), m.positions.size()));
         const glm::dvec2 given = glm::dvec2(m.coordinates[vertex]) * map.scale + map.offset;
         for (const double x : {given.x, given.y})
-            if (!(std::abs(x) <= most_given_coordinate))
+            if (!(std::abs(x) <= max_given_coordinate))
                 at_.refuse(
                     fmt::format("the mesh {} has the texture coordinate {} at vertex {}; the most is {}",
-                                shown(m.name), x, vertex, most_given_coordinate));
+                                shown(m.name), x, vertex, max_given_coordinate));
         return {given.x, 1 - given.y};
     }
 

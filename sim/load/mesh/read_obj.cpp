@@ -437,9 +437,9 @@ private:
         const glm::dvec2 st(given.x, 1 - given.y);
         if (material.texture)
             for (const double x : {given.x, given.y})
-                if (!(std::abs(x) <= most_given_coordinate))
+                if (!(std::abs(x) <= max_given_coordinate))
                     at_.refuse(fmt::format("face {} has the texture coordinate {}; the most is {}", face + 1,
-                                           x, most_given_coordinate));
+                                           x, max_given_coordinate));
         return st;
     }
 

@@ -10,8 +10,8 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
-#include "sim/files/npy.hpp"
 #include "sim/files/input.hpp"
+#include "sim/files/npy.hpp"
 
 namespace rayclock {
 
@@ -41,7 +41,7 @@ RayFile::RayFile(const std::string& path, bool any_hit) : RayTable(path, any_hit
             throw UserError(
                 fmt::format("{}: rays are float32 or float64, little-endian (<f4, <f8), and these are {}",
                             printable(path), head.descr.empty() ? "a structure" : shown(head.descr)));
-        if (head.shape.size() != 2 || head.shape[1] < least_columns || head.shape[1] > most_columns) {
+        if (head.shape.size() != 2 || head.shape[1] < least_columns || head.shape[1] > max_columns) {
             std::string shape;
             for (const std::uint64_t n : head.shape)
                 shape += (shape.empty() ? "" : " x ") + std::to_string(n);
@@ -99,10 +99,10 @@ void RayTable::check(std::size_t i) const {
     }
     if (!finite) refuse("has a coordinate that is NaN or infinite");
     if (largest == 0) refuse("has the direction 0");
-    if (largest < StreamRay::least_size || largest > StreamRay::most_size)
+    if (largest < StreamRay::least_size || largest > StreamRay::max_size)
         refuse(fmt::format("has a direction whose largest component is {}; it must lie in 2^-500 ... 2^500",
                            largest));
-    if (farthest > StreamRay::most_size)
+    if (farthest > StreamRay::max_size)
         refuse(fmt::format("has an origin with a coordinate of {}; 2^500 is the largest", farthest));
     if (!std::isfinite(ray.t_min) || std::isnan(ray.t_max))
         refuse(fmt::format("has t_min {} and t_max {}", ray.t_min, ray.t_max));

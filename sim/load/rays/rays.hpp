@@ -36,7 +36,7 @@ private:
 /// Rays as the rows of a table in memory that the caller keeps. A row has the numbers of an .npy file's ray.
 class RayTable : public Rays {
 public:
-    static constexpr std::size_t least_columns = 6, most_columns = 9;
+    static constexpr std::size_t least_columns = 6, max_columns = 9;
     struct Shape {
         std::size_t rows = 0, columns = least_columns, bytes_of_number = 4;   ///< 4: float32, 8: float64
     };

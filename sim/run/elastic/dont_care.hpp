@@ -53,7 +53,7 @@ template <class P> void copy_entries(std::size_t first, const P& wanted, P& got)
         got.count[i] = wanted.count[i];
     }
 }
-inline void drop_dont_care(Link, const BoxRsp& wanted, BoxRsp& got) {
+inline void drop_dont_care(Link, const NodeAnswer& wanted, NodeAnswer& got) {
     copy_entries(wanted.inner + wanted.leaves, wanted, got);
 }
 inline void drop_dont_care(Link, const Leaves& wanted, Leaves& got) {

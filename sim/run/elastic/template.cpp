@@ -12,8 +12,8 @@
 #include "model/base/quote.hpp"
 #include "sim/run/elastic/dont_care.hpp"
 #include "sim/run/elastic/elastic.hpp"
-#include "sim/run/elastic/unit_alone.hpp"
 #include "sim/run/elastic/findings.hpp"
+#include "sim/run/elastic/unit_alone.hpp"
 #include "sim/run/rtl/sources.hpp"
 
 namespace rayclock {

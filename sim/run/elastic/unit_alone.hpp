@@ -17,7 +17,7 @@ struct UnitAlone {
     bool agrees() const { return value_mismatches == 0 && !interrupted; }
 };
 
-/// True if the unit answers each request with one transfer: tri, xform, and the units that decide nodes.
+/// True if the unit answers each request with one transfer: tri, xform, and the node units.
 bool runs_alone(const std::string& unit);
 
 /// Records at most `most` requests of a frame, with the answers of the unit's pure function. For tri, adds

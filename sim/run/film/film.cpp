@@ -12,9 +12,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "model/compile/surfaces.hpp"
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
+#include "model/compile/surfaces.hpp"
 
 namespace rayclock {
 namespace {

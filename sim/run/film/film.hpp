@@ -37,7 +37,7 @@ struct FrameTimes {
     bool is_given = false;   ///< --fps or --time was given
 };
 constexpr double usual_fps = 25;
-constexpr int most_frames = 1000;
+constexpr int max_frames = 1000;
 /// Computes the times of the frames. Throws UserError if an option is wrong.
 FrameTimes frame_times(const FramesOptions& options, bool moves);
 

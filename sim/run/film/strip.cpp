@@ -10,8 +10,8 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "sim/files/input.hpp"
-#include "sim/run/film/read_back.hpp"
 #include "sim/files/process/process.hpp"
+#include "sim/run/film/read_back.hpp"
 
 namespace rayclock {
 

@@ -47,17 +47,17 @@ Span span_of(const std::string& typed) {
 int count_of(const FramesOptions& o, const Span& span, double fps) {
     if (!span.has_end || o.frames > 1) return o.frames;
     const double count = std::round((span.end - span.begin) * fps);
-    if (count > most_frames)
+    if (count > max_frames)
         throw UserError(fmt::format("--time {} at {} frames a second would be {:.0f} frames; the most is {}",
-                                    o.time, fps, count, most_frames));
+                                    o.time, fps, count, max_frames));
     return std::max(1, int(count));
 }
 
 }   // namespace
 
 FrameTimes frame_times(const FramesOptions& o, bool moves) {
-    if (o.frames < 1 || o.frames > most_frames)
-        throw UserError(fmt::format("--frames must lie in 1..{}, not {}", most_frames, o.frames));
+    if (o.frames < 1 || o.frames > max_frames)
+        throw UserError(fmt::format("--frames must lie in 1..{}, not {}", max_frames, o.frames));
     if (!(std::abs(o.pan) <= 360))
         throw UserError(fmt::format("--pan must lie in -360..360 degrees, not {}", o.pan));
     if (o.fps && !(*o.fps >= 0.001 && *o.fps <= 10'000))

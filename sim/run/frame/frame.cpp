@@ -9,15 +9,15 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "model/base/error.hpp"
+#include "model/base/stopwatch.hpp"
 #include "model/compile/compile.hpp"
 #include "model/compile/frame.hpp"
 #include "model/compile/surfaces.hpp"
-#include "model/base/error.hpp"
-#include "model/base/stopwatch.hpp"
-#include "model/trace/hits.hpp"
 #include "model/machine/machine.hpp"
-#include "model/mem/frame_buffer.hpp"
 #include "model/machine/stuck_rays.hpp"
+#include "model/mem/frame_buffer.hpp"
+#include "model/trace/hits.hpp"
 #include "sim/run/rtl/rtl_machine.hpp"
 
 namespace rayclock {

@@ -3,17 +3,17 @@
 #include <span>
 #include <string>
 
-#include "model/layout/memory_image.hpp"
 #include "model/base/progress.hpp"
+#include "model/compile/upload.hpp"
+#include "model/layout/memory_image.hpp"
 #include "model/machine/units.hpp"
 #include "model/mem/memory.hpp"
-#include "sim/judge/reference/reference.hpp"
-#include "model/scene/hit_shading.hpp"
 #include "model/scene/hit.hpp"
+#include "model/scene/hit_shading.hpp"
 #include "model/scene/placed.hpp"
 #include "model/trace/trace.hpp"
-#include "model/compile/upload.hpp"
 #include "sim/files/process/interrupt.hpp"
+#include "sim/judge/reference/reference.hpp"
 
 namespace rayclock {
 

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "model/engine/engines.hpp"
 #include "model/core/parameters.hpp"
 #include "model/core/payloads.hpp"
+#include "model/engine/engines.hpp"
 #include "sim/run/gen/description.hpp"
 #include "sim/run/gen/registers.hpp"
 

@@ -7,15 +7,15 @@
 
 #include <fmt/format.h>
 
-#include "model/unit/trav/children.hpp"
-#include "model/machine/links.hpp"
+#include "model/core/parameters.hpp"
 #include "model/core/stages.hpp"
+#include "model/engine/spheres/tables.hpp"
+#include "model/machine/links.hpp"
 #include "model/mem/cache.hpp"
 #include "model/unit/shade/state.hpp"
-#include "model/engine/spheres/tables.hpp"
 #include "model/unit/shade/tables.hpp"
 #include "model/unit/tex/texel.hpp"
-#include "model/core/parameters.hpp"
+#include "model/unit/trav/children.hpp"
 #include "sim/run/gen/registers.hpp"
 
 namespace rayclock {
@@ -123,7 +123,7 @@ std::string host_constants(const Config& config) {
         (u < pipeline_units ? pipeline : shared).push_back(is_there(Unit(u), config));
     text += constant("TallyBits", tally_bits) + constant("PipelineUnits", pipeline_units);
     for (std::size_t u = 0; u < pipeline_units; ++u)   // the place of a unit's cause; node units follow
-        if (!decides_nodes(Unit(u))) text += constant(camel(unit_infos[u].name) + "Unit", std::uint32_t(u));
+        if (!is_node_unit(Unit(u))) text += constant(camel(unit_infos[u].name) + "Unit", std::uint32_t(u));
     text += constant("DecideUnit", std::uint32_t(index(node_unit(config.engine()).unit)));
     text += constant("MeshUnit", std::uint32_t(index(node_unit(config.lower_engine()).unit)));
     text += constant("SharedUnits", shared_units) + list("PipelineUnitsThere", pipeline, 1);
@@ -267,8 +267,8 @@ void parts(Package& p, const Config& config) {
                                     "is_round", "transmit", "ratio", "schlick", "r0", "self", "is_inside"});
 }
 
-/// Adds widths and latencies that follow from the parameters.
-void derived(Package& p, const Config& c) {
+/// Adds the widths of distances, rays and hits, and what the chip has.
+void ray_widths(Package& p, const Config& c) {
     p.constant("TBits", c.t_bits());
     p.constant("PathBits", c.path_bits());
     p.constant("EdgeBits", c.edge_bits());
@@ -286,6 +286,10 @@ void derived(Package& p, const Config& c) {
     p.constant("ApproachSteps", approach_steps);
     p.constant("RayDirBits", c.ray_dir_bits());
     p.constant("UvBits", c.uv_bits());
+}
+
+/// Adds the widths of shading: lights, vectors, colours, materials.
+void shade_widths(Package& p, const Config& c) {
     p.constant("LightBits", c.light_bits());
     p.constant("NormalBits", c.normal_bits());
     p.constant("UnitBits", unit_bits);
@@ -306,7 +310,11 @@ void derived(Package& p, const Config& c) {
     p.constant("StrengthBits", strength_bits);
     p.constant("PlaneBits", plane_bits);
     p.constant("RootBits", root_bits);
-    p.constant("MostFine", most_fine);
+    p.constant("MostFine", max_fine);
+}
+
+/// Adds the widths of samples and textures.
+void texture_widths(Package& p) {
     p.constant("SampleBits", sample_bits);
     p.constant("CoordinateBits", coordinate_bits);   // of a texture coordinate
     p.constant("CoordinateFrac", coordinate_frac);
@@ -316,12 +324,20 @@ void derived(Package& p, const Config& c) {
     p.constant("LevelFrac", level_frac);
     p.constant("LengthBits", length_bits);
     p.constant("LogIndexBits", log_index_bits);
+}
+
+/// Adds the widths of camera rays, and the number of memory clients.
+void camera_widths(Package& p, const Config& c) {
     p.constant("SubPixelBits", sub_pixel_bits);
     p.constant("DepthBits", depth_bits);
     p.constant("Clients", c.clients());
     p.constant("GuardBits", guard_bits);
     p.constant("GuardDirBits", c.guard_dir_bits());
-    p.constant("MostShift", most_shift);
+    p.constant("MostShift", max_shift);
+}
+
+/// Adds the widths of nodes, of their requests, and of instances.
+void node_widths(Package& p, const Config& c) {
     p.constant("RayBits", c.ray_bits());
     p.constant("GroupBits", c.group_bits());
     p.constant("SlotBits", c.slot_bits());
@@ -344,11 +360,19 @@ void derived(Package& p, const Config& c) {
     p.constant("NormalStepBits", normal_step_bits);
     p.constant("PlaneOffsetBits", c.offset_of_plane_bits());
     p.constant("CrossingBits", crossing_bits);
+}
+
+/// Adds the widths of memory lines and of ids.
+void memory_widths(Package& p, const Config& c) {
     p.constant("LineBits", line_bits);
     p.constant("TileCoordBits", c.tile_coord_bits());
     p.constant("ClientBits", c.client_bits());
     p.constant("ClientIdBits", c.client_id_bits());
     p.constant("MemIdBits", c.mem_id_bits());
+}
+
+/// Adds the stages of the tests of nodes and primitives.
+void test_stages(Package& p, const Config& c) {
     const Stages stages(c);
     p.constant("Cut", stages.cut);
     p.constant("FarCut", stages.shading_cut);
@@ -373,6 +397,11 @@ void derived(Package& p, const Config& c) {
     p.constant("HitdivStages", stages.hit_divide);
     p.constant("SphereLevels", stages.sphere_levels);
     p.constant("SphereStages", stages.sphere);
+}
+
+/// Adds the stages of raygen and xform.
+void raygen_and_xform_stages(Package& p, const Config& c) {
+    const Stages stages(c);
     p.constant("SampleStages", stages.sample);
     p.constant("PixelStages", stages.pixel);
     p.constant("DirectionStages", stages.direction);
@@ -382,6 +411,10 @@ void derived(Package& p, const Config& c) {
     p.constant("RecipShare", stages.recip_share);
     p.constant("MapStages", stages.map);
     p.constant("StackStages", stages.stack_delay);
+}
+
+/// Adds the latencies of units, apart from tex and shade.
+void latencies(Package& p, const Config& c) {
     p.constant("RaygenLatency", c.raygen_latency());
     p.constant("BoxInterval", c.box_interval());
     for_each_engine(
@@ -391,6 +424,11 @@ void derived(Package& p, const Config& c) {
     p.constant("MeshPad", node_latency(c) - node_latency(c, c.lower_engine()));
     p.constant("XformLatency", c.xform_latency());
     p.constant("TriLatency", c.tri_latency());
+}
+
+/// Adds the stages of tex and shade.
+void tex_and_shade_stages(Package& p, const Config& c) {
+    const Stages stages(c);
     p.constant("TexAddressStages", stages.tex_address);
     p.constant("TexFilterStages", stages.tex_filter);
     p.constant("OctahedralSteps", c.bary_bits / 2);   // each finds two of bary_bits - 1 bits
@@ -402,6 +440,20 @@ void derived(Package& p, const Config& c) {
     p.constant("ShadeLatency", c.shade_latency());
     p.constant("UnitStages", unit_stages);
     p.constant("PowerStages", power_stages);
+}
+
+/// Adds widths and latencies that follow from the parameters.
+void derived(Package& p, const Config& c) {
+    ray_widths(p, c);
+    shade_widths(p, c);
+    texture_widths(p);
+    camera_widths(p, c);
+    node_widths(p, c);
+    memory_widths(p, c);
+    test_stages(p, c);
+    raygen_and_xform_stages(p, c);
+    latencies(p, c);
+    tex_and_shade_stages(p, c);
 }
 
 void enumerations(Package& p) {
@@ -466,11 +518,11 @@ void enumerations(Package& p) {
                                  {"Answers", CacheOutcome::answers}});
     for (std::size_t u = 0; u < unit_count; ++u) {
         const UnitInfo& unit = unit_infos[u];
-        if (unit.place < UnitPlace::outside && !decides_nodes(Unit(u)) &&
+        if (unit.place < UnitPlace::outside && !is_node_unit(Unit(u)) &&
             unit.causes.back().kind == CauseKind::none)
             p.causes(unit.name, unit);
     }
-    p.causes("decide", unit_infos[index(node_units[0].unit)]);   // for all units that decide nodes
+    p.causes("decide", unit_infos[index(node_units[0].unit)]);   // for all node units
 }
 
 }   // namespace

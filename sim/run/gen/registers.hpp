@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "model/machine/units.hpp"
 #include "model/core/frame.hpp"
+#include "model/machine/units.hpp"
 
 namespace rayclock {
 

@@ -209,10 +209,10 @@ void set_value(Config& config, const std::string& key, const std::string& value,
         set_parameter(config, key, value, where);
         return;
     }
-    constexpr std::uint64_t most_bytes = 1 << 20;
+    constexpr std::uint64_t max_bytes = 1 << 20;
     const std::filesystem::path path = std::filesystem::path(folder) / value;
     config.own_dram =
-        std::make_shared<const DramPart>(parse_memory(path.string(), read_file(path, where, most_bytes)));
+        std::make_shared<const DramPart>(parse_memory(path.string(), read_file(path, where, max_bytes)));
 }
 
 nlohmann::ordered_json memory_file_json(const DramPart& part) {

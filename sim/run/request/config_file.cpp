@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "model/engine/check.hpp"
 #include "model/base/error.hpp"
 #include "model/base/nearest.hpp"
 #include "model/core/parameters.hpp"
+#include "model/engine/check.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/json_value.hpp"
 #include "sim/files/text.hpp"
@@ -77,9 +77,9 @@ Config load_config(const ConfigChoice& choice) {
     std::error_code error;
     if (!named && std::filesystem::is_directory(name, error))
         SourcePosition{name}.refuse("is a folder, not a configuration");
-    constexpr std::uint64_t most_bytes = 1 << 20;
+    constexpr std::uint64_t max_bytes = 1 << 20;
     const Config config =
-        named || !file ? named_config(name) : parse_config(name, read_file(name, {}, most_bytes));
+        named || !file ? named_config(name) : parse_config(name, read_file(name, {}, max_bytes));
     return with_settings(config, choice.set, printable(name));
 }
 

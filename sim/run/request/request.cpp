@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
-#include "model/compile/surfaces.hpp"
 #include "model/base/error.hpp"
+#include "model/compile/surfaces.hpp"
 #include "model/core/settled.hpp"
 #include "model/scene/folded.hpp"
 #include "sim/run/frame/frame.hpp"
-#include "sim/run/request/ground.hpp"
 #include "sim/run/memory/memory_file.hpp"
+#include "sim/run/request/ground.hpp"
 #include "sim/run/request/ineffective.hpp"
 #include "sim/run/request/levels.hpp"
 #include "sim/run/request/material.hpp"
@@ -27,8 +27,8 @@ Whitted settings_of(const Finish& f, std::uint64_t seed) {
         if (!(value >= lo && value <= hi))
             throw UserError(fmt::format("{} must lie in {}..{}, not {}", option, lo, hi, value));
     };
-    if (f.depth) within("--depth", *f.depth, 0, most_depth), w.depth = *f.depth;
-    if (f.aa) within("--aa", *f.aa, 1, most_aa), w.aa = *f.aa;
+    if (f.depth) within("--depth", *f.depth, 0, max_depth), w.depth = *f.depth;
+    if (f.aa) within("--aa", *f.aa, 1, max_aa), w.aa = *f.aa;
     if (f.threshold) within("--threshold", *f.threshold, 0, 1), w.threshold = *f.threshold;
     if (f.contrast) within("--contrast", *f.contrast, 0, 1), w.contrast = *f.contrast;
     w.jitter = f.jittered;

@@ -4,10 +4,10 @@
 
 #include "model/base/progress.hpp"
 #include "model/scene/builtin.hpp"
-#include "sim/load/load.hpp"
 #include "model/scene/camera.hpp"
 #include "model/scene/scene.hpp"
 #include "model/scene/whitted.hpp"
+#include "sim/load/load.hpp"
 #include "sim/run/request/config_file.hpp"
 #include "sim/run/request/finish.hpp"
 #include "sim/run/request/view.hpp"

@@ -9,16 +9,16 @@
 
 #include <fmt/format.h>
 
-#include "model/base/interrupted.hpp"
 #include "model/base/error.hpp"
+#include "model/base/interrupted.hpp"
 #include "model/base/stopwatch.hpp"
 #include "sim/files/cache/hash.hpp"
+#include "sim/files/process/interrupt.hpp"
+#include "sim/files/process/tools.hpp"
 #include "sim/files/scratch.hpp"
 #include "sim/run/rtl/adapter.hpp"
 #include "sim/run/rtl/compile.hpp"
 #include "sim/run/rtl/gates.hpp"
-#include "sim/files/process/interrupt.hpp"
-#include "sim/files/process/tools.hpp"
 
 namespace rayclock {
 

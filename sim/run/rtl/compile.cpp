@@ -10,14 +10,14 @@
 #include <fmt/format.h>
 
 #include "model/base/stopwatch.hpp"
+#include "sim/files/cache/libraries.hpp"
 #include "sim/files/input.hpp"
+#include "sim/files/process/process.hpp"
+#include "sim/files/process/tools.hpp"
 #include "sim/run/gen/rc_pkg.hpp"
 #include "sim/run/rtl/adapter.hpp"
-#include "sim/files/cache/libraries.hpp"
 #include "sim/run/rtl/gates.hpp"
-#include "sim/files/process/process.hpp"
 #include "sim/run/rtl/sources.hpp"
-#include "sim/files/process/tools.hpp"
 
 namespace rayclock {
 

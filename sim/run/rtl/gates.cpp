@@ -8,14 +8,14 @@
 
 #include "model/base/error.hpp"
 #include "model/machine/units.hpp"
+#include "sim/files/cache/libraries.hpp"
 #include "sim/files/input.hpp"
+#include "sim/files/process/process.hpp"
+#include "sim/files/process/tools.hpp"
 #include "sim/run/gen/ecp5.hpp"
 #include "sim/run/gen/rc_pkg.hpp"
-#include "sim/files/cache/libraries.hpp"
-#include "sim/files/process/process.hpp"
 #include "sim/run/rtl/adapter.hpp"
 #include "sim/run/rtl/sources.hpp"
-#include "sim/files/process/tools.hpp"
 
 namespace rayclock {
 

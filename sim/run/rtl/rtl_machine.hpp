@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "model/compile/upload.hpp"
 #include "model/layout/memory_image.hpp"
 #include "model/machine/links.hpp"
 #include "model/mem/memory.hpp"
 #include "model/scene/whitted.hpp"
 #include "model/trace/decoder.hpp"
-#include "model/compile/upload.hpp"
 #include "sim/run/rtl/rtl_module.hpp"
 
 namespace rayclock {

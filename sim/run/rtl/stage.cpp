@@ -8,14 +8,14 @@
 
 #include <fmt/format.h>
 
-#include "model/base/interrupted.hpp"
 #include "model/base/error.hpp"
+#include "model/base/interrupted.hpp"
 #include "model/base/quote.hpp"
-#include "sim/files/input.hpp"
-#include "sim/run/gen/rc_pkg.hpp"
 #include "sim/files/cache/libraries.hpp"
+#include "sim/files/input.hpp"
 #include "sim/files/process/interrupt.hpp"
 #include "sim/files/process/process.hpp"
+#include "sim/run/gen/rc_pkg.hpp"
 #include "sim/run/rtl/board_ports.hpp"
 #include "sim/run/rtl/sources.hpp"
 

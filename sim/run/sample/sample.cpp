@@ -13,8 +13,8 @@
 #include "model/machine/machine.hpp"
 #include "model/machine/stuck_rays.hpp"
 #include "model/trace/on_demand.hpp"
+#include "sim/files/process/parallel.hpp"
 #include "sim/files/process/stopping.hpp"
-#include "sim/files/process/threads.hpp"
 
 namespace rayclock::sample {
 
@@ -84,7 +84,7 @@ Coarse walk_single_pixels(const Plan& w) {
     };
     constexpr std::uint32_t pieces = 16;
     std::vector<Sums> sums(pieces);
-    jobs::for_each(pieces, w.threads, [&](std::size_t piece) {
+    parallel::for_each(pieces, w.threads, [&](std::size_t piece) {
         OnDemandRecorder recorder(w.shared);
         Sums& sum = sums[piece];
         for (auto part = std::uint32_t(parts * piece / pieces); part < parts * (piece + 1) / pieces; ++part) {
@@ -278,7 +278,7 @@ std::vector<Sampled> run(const Job& job, const std::vector<int>& khz, const Ask&
     std::vector<std::vector<std::vector<Sampled::Measured>>> measured(chains);   // [chain][clock][part]
     std::mutex mutex;
     std::uint64_t replayed = 0, done = 0;
-    jobs::for_each(chains, threads, [&](std::size_t c) {
+    parallel::for_each(chains, threads, [&](std::size_t c) {
         const std::size_t first = numbers.size() * c / chains, end = numbers.size() * (c + 1) / chains;
         Chain chain(w, std::span(numbers).subspan(first, end - first));
         for (const int k : khz) measured[c].push_back(chain.replay(k));

@@ -13,10 +13,10 @@ namespace rayclock::sample {
 
 /// The size of a sample.
 struct Ask {
-    double share = 0;   ///< share of the frame's parts to measure, up to most_share; 0: the smallest sample
+    double share = 0;   ///< share of the frame's parts to measure, up to max_share; 0: the smallest sample
     std::uint64_t seed = 1;
 };
-constexpr double most_share = 0.3;
+constexpr double max_share = 0.3;
 
 /// Returns the number of strata of a sample. Throws UserError if the frame is too small.
 std::uint32_t strata_of(const Frame& frame, const Config& config, double share);

@@ -11,11 +11,11 @@
 #include <fmt/ranges.h>
 #include <glm/geometric.hpp>
 
-#include "model/compile/frame.hpp"
-#include "model/compile/lattice.hpp"
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/rng.hpp"
+#include "model/compile/frame.hpp"
+#include "model/compile/lattice.hpp"
 #include "model/layout/memory_image.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "sim/files/npy.hpp"
@@ -174,9 +174,9 @@ std::vector<StreamRay> make_rays(const Scene& scene, const RayStreamPlan& plan, 
                                      ? std::size_t(plan.samples)
                                      : 1;
     const std::size_t all = std::size_t(plan.size.width) * std::size_t(plan.size.height) * of_a_hit;
-    if (all > most_rays)
+    if (all > max_rays)
         throw UserError("up to " + std::to_string(all) + " rays would be made, and a stream has at most " +
-                        std::to_string(most_rays));
+                        std::to_string(max_rays));
     const RayGenerator maker(scene, plan, config);
     const auto width = std::size_t(plan.size.width);
     std::vector<std::vector<StreamRay>> of_pixel(width * std::size_t(plan.size.height));

@@ -22,7 +22,7 @@ enum class RayStreamKind {
 enum class RayOrder { recorded, morton, random };
 
 /// The most rays that a chip can number (pixel_bits=14).
-constexpr std::size_t most_rays = (std::size_t(1) << 28) - 1;
+constexpr std::size_t max_rays = (std::size_t(1) << 28) - 1;
 
 struct RayStreamPlan {
     RayStreamKind kind = RayStreamKind::camera;
@@ -50,7 +50,7 @@ RayStreamPlan ray_stream_plan(const RayStreamChoice& choice, const std::string& 
 /// was seen, at a distance of 2^-16 of the diagonal of the scene's bounds. Diffuse directions are
 /// cosine-weighted (Shirley, Morley 2003: a point of the unit sphere around the tip of the normal). The rays
 /// do not depend on the number of threads. `config` gives the directions of camera rays. Throws UserError if
-/// shadow rays are requested and the scene has no light, or if there might be more than most_rays.
+/// shadow rays are requested and the scene has no light, or if there might be more than max_rays.
 std::vector<StreamRay> make_rays(const Scene& scene, const RayStreamPlan& plan, const Config& config,
                                  int threads = 0, const Progress& progress = {});
 

@@ -14,8 +14,8 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
-#include "model/compile/surfaces.hpp"
 #include "model/compile/compile.hpp"
+#include "model/compile/surfaces.hpp"
 #include "model/machine/machine.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "sim/files/npy.hpp"
@@ -39,14 +39,14 @@ Config streaming(Config config) {
 namespace {
 
 /// Largest distance of a common origin from the middle of the scene, in diagonals of its bounds.
-constexpr double most_diagonals = 4;
+constexpr double max_diagonals = 4;
 
 /// Returns the point that must be a lattice point: the common origin of all rays, if they have one and it is
 /// near enough to keep the lattice fine; otherwise the middle of the scene.
 glm::dvec3 anchor_of(const Scene& scene, const Rays& rays) {
     const Bounds box = bounds(scene);
     const glm::dvec3 middle = 0.5 * box.lo + 0.5 * box.hi, first = rays[0].origin;
-    if (!(glm::length(first - middle) <= most_diagonals * glm::length(box.hi - box.lo))) return middle;
+    if (!(glm::length(first - middle) <= max_diagonals * glm::length(box.hi - box.lo))) return middle;
     for (std::size_t i = 1; i < rays.size(); ++i)
         if (rays[i].origin != first) return middle;
     return first;

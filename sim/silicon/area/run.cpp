@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "sim/files/process/parallel.hpp"
 #include "sim/run/frame/frame.hpp"
 #include "sim/run/gen/rc_pkg.hpp"
 #include "sim/silicon/synth/yosys.hpp"
-#include "sim/files/process/threads.hpp"
 
 namespace rayclock::area {
 
@@ -25,7 +25,7 @@ struct Piece {
 
 class Runner {
 public:
-    Runner(Areas& areas, jobs::Cache& cache, const Progress& progress, int threads)
+    Runner(Areas& areas, results::Cache& cache, const Progress& progress, int threads)
         : areas_(areas), cache_(cache), progress_(progress), threads_(threads) {}
 
     void run(std::vector<Piece> pieces) {
@@ -57,7 +57,7 @@ private:
 
     template <class Do> void for_each(std::vector<Piece>& pieces, const char* what, Do look_at) {
         done_ = 0;
-        jobs::for_each(pieces.size(), threads_, [&](std::size_t i) {
+        parallel::for_each(pieces.size(), threads_, [&](std::size_t i) {
             if (interrupted()) return;
             look_at(pieces[i]);
             const std::lock_guard lock(mutex_);
@@ -69,10 +69,10 @@ private:
 
     void find_shape(Piece& piece) {
         const std::string with =
-            fmt::format("script {} {}", jobs::hash_text(synth::synth_script()), synth::yosys_version());
+            fmt::format("script {} {}", results::hash_text(synth::synth_script()), synth::yosys_version());
         const std::string key = fmt::format("package {} rtl {} unit {} pipelines {} {}",
-                                            jobs::hash_text(rc_package(config(piece))), synth::rtl_digest(),
-                                            piece.unit, config(piece).pipelines, with);
+                                            results::hash_text(rc_package(config(piece))),
+                                            synth::rtl_digest(), piece.unit, config(piece).pipelines, with);
         if (const auto shape = cache_.find(
                 "shape", key, [](const nlohmann::ordered_json& text) { return text.get<std::string>(); })) {
             piece.shape = *shape;
@@ -93,7 +93,7 @@ private:
     }
 
     Areas& areas_;
-    jobs::Cache& cache_;
+    results::Cache& cache_;
     const Progress& progress_;
     int threads_;
     std::mutex mutex_;
@@ -104,7 +104,7 @@ private:
 }   // namespace
 
 Areas run(std::vector<Variant> variants, const std::vector<std::string>& only, int threads,
-          jobs::Cache& cache, const Progress& progress) {
+          results::Cache& cache, const Progress& progress) {
     if (synth::yosys_version().empty())
         throw UserError(
             "yosys is not installed, and areas come from it; 'rayclock doctor' tells what is missing");

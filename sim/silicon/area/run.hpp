@@ -3,9 +3,9 @@
 #include <map>
 
 #include "model/base/progress.hpp"
+#include "sim/files/cache/results.hpp"
 #include "sim/silicon/area/variants.hpp"
 #include "sim/silicon/synth/parts.hpp"
-#include "sim/files/cache/results.hpp"
 
 namespace rayclock::area {
 
@@ -25,7 +25,7 @@ struct Areas {
 /// Synthesises the units named in `only`, or all units if it is empty. `threads` run at the same time; 0 uses
 /// all cores. Throws UserError if Yosys is missing.
 Areas run(std::vector<Variant> variants, const std::vector<std::string>& only, int threads,
-          jobs::Cache& cache, const Progress& progress);
+          results::Cache& cache, const Progress& progress);
 
 /// Returns the counts of one pipeline.
 Count pipeline_count(const Areas& areas, std::size_t variant);

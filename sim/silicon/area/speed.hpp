@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "model/base/progress.hpp"
-#include "model/scene/scene.hpp"
 #include "model/scene/camera.hpp"
+#include "model/scene/scene.hpp"
 #include "model/scene/whitted.hpp"
 #include "sim/silicon/area/variants.hpp"
 

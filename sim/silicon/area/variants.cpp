@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "model/engine/check.hpp"
 #include "model/core/parameters.hpp"
-#include "model/machine/links.hpp"
 #include "model/core/settled.hpp"
+#include "model/engine/check.hpp"
+#include "model/machine/links.hpp"
 #include "sim/run/gen/rc_pkg.hpp"
 
 namespace rayclock::area {

@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kinds[] = {"MULT18X18D", "DP16KD"};
-constexpr int rounds = 3;                 // cells that move in one round attract others in the next
-constexpr std::size_t most_ends = 3000;   // larger nets are left out: the clock's net has wires of its own
+constexpr int rounds = 3;                // cells that move in one round attract others in the next
+constexpr std::size_t max_ends = 3000;   // larger nets are left out: the clock's net has wires of its own
 
 struct Point {
     int x = 0, y = 0;
@@ -46,7 +46,7 @@ public:
             at_.push_back(at);
             for (const int net : cells[c].nets) ends_[net].push_back(c);
         }
-        std::erase_if(ends_, [](const auto& net) { return net.second.size() > most_ends; });
+        std::erase_if(ends_, [](const auto& net) { return net.second.size() > max_ends; });
     }
 
     Point at(std::size_t cell) const { return at_[cell]; }

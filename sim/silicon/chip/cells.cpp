@@ -10,10 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include "model/base/split.hpp"
-#include "sim/silicon/area/variants.hpp"
-#include "sim/silicon/chip/board.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/text.hpp"
+#include "sim/silicon/area/variants.hpp"
+#include "sim/silicon/chip/board.hpp"
 
 namespace rayclock::chip {
 

@@ -20,6 +20,6 @@ struct RoutedClock {
 std::optional<RoutedClock> routed_clock(const Config& config);
 
 /// Keeps the clock if it is the fastest so far.
-void keep_clock(const Config& config, const RoutedClock& clock, jobs::Cache& cache);
+void keep_clock(const Config& config, const RoutedClock& clock, results::Cache& cache);
 
 }   // namespace rayclock::chip

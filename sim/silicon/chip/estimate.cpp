@@ -6,8 +6,8 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
-#include "sim/silicon/area/variants.hpp"
 #include "sim/files/table.hpp"
+#include "sim/silicon/area/variants.hpp"
 
 namespace rayclock::chip {
 
@@ -24,7 +24,7 @@ Use times(std::uint64_t n, const Use& use) { return {n * use.lut, n * use.ff, n 
 
 }   // namespace
 
-Estimate estimate(const Request& request, jobs::Cache& cache, const Progress& progress) {
+Estimate estimate(const Request& request, results::Cache& cache, const Progress& progress) {
     Estimate made;
     std::vector<std::string> missing;
     std::uint64_t done = 0;

@@ -15,7 +15,7 @@ struct Estimate {
 
 /// Returns the estimate; `request` must be for the whole chip. If a unit was not routed, throws UserError
 /// with the command to run.
-Estimate estimate(const Request& request, jobs::Cache& cache, const Progress& progress);
+Estimate estimate(const Request& request, results::Cache& cache, const Progress& progress);
 
 std::string text(const Estimate& estimate, const Request& request);
 nlohmann::ordered_json json(const Estimate& estimate, const Request& request);

@@ -14,11 +14,11 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/split.hpp"
-#include "sim/silicon/chip/board.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/process/interrupt.hpp"
 #include "sim/files/process/process.hpp"
 #include "sim/run/rtl/sources.hpp"
+#include "sim/silicon/chip/board.hpp"
 
 namespace rayclock::chip {
 
@@ -122,10 +122,10 @@ std::string nextpnr_options(const Device& device, const Methods& methods, bool l
     return options;
 }
 
-int RouteStep::most_idle_rounds() const { return tool == "static" ? 1000 : tool == "router1" ? 300 : 100; }
+int RouteStep::max_idle_rounds() const { return tool == "static" ? 1000 : tool == "router1" ? 300 : 100; }
 
 std::string RouteStep::stuck() const {
-    const int rounds = most_idle_rounds();
+    const int rounds = max_idle_rounds();
     if (tool == "static")
         return fmt::format("{} rounds of the placer static left {:.1f} % of cells of one kind on others",
                            rounds, double(least_left) / 10);

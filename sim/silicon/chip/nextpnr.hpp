@@ -84,8 +84,8 @@ struct RouteStep {
     /// hundreds.
     int idle_rounds = 0;
     long least_left = 0;
-    int most_idle_rounds() const;
-    bool is_stuck() const { return !tool.empty() && idle_rounds >= most_idle_rounds(); }
+    int max_idle_rounds() const;
+    bool is_stuck() const { return !tool.empty() && idle_rounds >= max_idle_rounds(); }
     std::string stuck() const;   ///< the reason as part of a sentence
 };
 RouteStep step_of_log(const std::string& log);

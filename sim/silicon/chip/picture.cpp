@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "sim/silicon/chip/cells.hpp"
 #include "sim/files/table.hpp"
+#include "sim/silicon/chip/cells.hpp"
 
 namespace rayclock::chip {
 

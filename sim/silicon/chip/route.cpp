@@ -9,12 +9,12 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
-#include "sim/silicon/chip/board.hpp"
-#include "sim/silicon/chip/cells.hpp"
-#include "sim/silicon/chip/timing.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/json_form.hpp"
 #include "sim/run/rtl/sources.hpp"
+#include "sim/silicon/chip/board.hpp"
+#include "sim/silicon/chip/cells.hpp"
+#include "sim/silicon/chip/timing.hpp"
 
 namespace rayclock::chip {
 
@@ -23,7 +23,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::size_t most_paths = 5;
+constexpr std::size_t max_paths = 5;
 
 [[noreturn]] void not_whole(const fs::path& file) {
     throw UserError(file.filename().string() + " of nextpnr-ecp5 is not whole; is the disk full?");
@@ -42,7 +42,7 @@ std::vector<Path> paths_of(const fs::path& file, const Units& units) {
     const std::string text = read_if_there(file);
     if (text.find("\n)") == std::string::npos) not_whole(file);   // the file's last line
     try {
-        return slowest_paths(text, most_paths, [&](const Path& path) {
+        return slowest_paths(text, max_paths, [&](const Path& path) {
             const PathRow row = row_of(path, units);
             return row.from_unit + "." + row.from + " " + row.to_unit + "." + row.to;
         });

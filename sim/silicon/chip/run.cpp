@@ -11,16 +11,16 @@
 #include "model/base/interrupted.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/split.hpp"
-#include "sim/silicon/area/variants.hpp"
-#include "sim/silicon/chip/cells.hpp"
-#include "sim/silicon/chip/clock.hpp"
-#include "sim/silicon/chip/harness.hpp"
 #include "sim/files/input.hpp"
+#include "sim/files/process/interrupt.hpp"
 #include "sim/files/table.hpp"
 #include "sim/run/gen/ecp5.hpp"
 #include "sim/run/gen/rc_pkg.hpp"
 #include "sim/run/rtl/builder.hpp"
-#include "sim/files/process/interrupt.hpp"
+#include "sim/silicon/area/variants.hpp"
+#include "sim/silicon/chip/cells.hpp"
+#include "sim/silicon/chip/clock.hpp"
+#include "sim/silicon/chip/harness.hpp"
 #include "sim/silicon/synth/parts.hpp"
 #include "sim/silicon/synth/yosys.hpp"
 
@@ -61,7 +61,7 @@ std::string synth_script(const std::string& top, const std::string& units,
 
 class Steps {
 public:
-    Steps(const Request& request, jobs::Cache& cache, const Progress& progress)
+    Steps(const Request& request, results::Cache& cache, const Progress& progress)
         : request_(request), cache_(cache), progress_(progress) {}
 
     Result run() {
@@ -118,7 +118,7 @@ private:
             find_board();
             return;
         }
-        const std::string package = jobs::hash_text(rc_package(request_.config));
+        const std::string package = results::hash_text(rc_package(request_.config));
         const std::string key = fmt::format("package {} rtl {} top {} {}", package, synth::rtl_digest(),
                                             request_.top, synth::yosys_version());
         if (const auto known = cache_.find("chip-face", key, [](const ordered_json& json) {
@@ -138,12 +138,12 @@ private:
                 for (const std::string& module : face.modules)
                     if (file.filename() == "rc_" + module + ".sv")
                         texts += synth::synthesised_text(read_if_there(file));
-            modules_ = jobs::hash_text(texts);
+            modules_ = results::hash_text(texts);
             units_ = units_of(face);
             cache_.keep("chip-face", key, {{"harness", harness_}, {"modules", modules_}, {"units", units_}});
         }
         design_ = fmt::format("top {} of copies package {} modules {} harness {} script {} {}", request_.top,
-                              package, modules_, jobs::hash_text(harness_), jobs::hash_text(script()),
+                              package, modules_, results::hash_text(harness_), results::hash_text(script()),
                               synth::yosys_version());
     }
 
@@ -159,8 +159,8 @@ private:
             if (row.is_there(request_.config)) units_ += fmt::format(" *rc_{}*", row.name);
         design_ =
             fmt::format("board package {} rtl {} harness {} pins {} script {} {} {}",
-                        jobs::hash_text(rc_package(request_.config)), synth::rtl_digest(RtlScope::board),
-                        jobs::hash_text(harness_), jobs::hash_text(pins_), jobs::hash_text(script()),
+                        results::hash_text(rc_package(request_.config)), synth::rtl_digest(RtlScope::board),
+                        results::hash_text(harness_), results::hash_text(pins_), results::hash_text(script()),
                         synth::yosys_version(), packer_version());
     }
 
@@ -192,7 +192,7 @@ private:
     }
 
     fs::path netlist() const {
-        return cache_.folder() / fmt::format("chip-netlist-{}.netlist", jobs::hash_text(design_));
+        return cache_.folder() / fmt::format("chip-netlist-{}.netlist", results::hash_text(design_));
     }
 
     /// Writes the netlist, which is kept complete or not at all, and returns the resources of its units.
@@ -236,7 +236,7 @@ private:
     }
 
     fs::path bitstream(int seed) const {
-        return cache_.folder() / fmt::format("chip-bitstream-{}.bit", jobs::hash_text(route_key(seed)));
+        return cache_.folder() / fmt::format("chip-bitstream-{}.bit", results::hash_text(route_key(seed)));
     }
 
     /// Returns a route that is kept, with its bitstream if it needs one.
@@ -300,7 +300,7 @@ private:
     }
 
     const Request& request_;
-    jobs::Cache& cache_;
+    results::Cache& cache_;
     const Progress& progress_;
     std::string harness_, modules_, units_, design_;
     std::string top_ = "rc_harness", pins_;   ///< Yosys' top with parameters; the pins of a board
@@ -353,7 +353,7 @@ void check_tools() {
 
 }   // namespace
 
-Result run(const Request& request, jobs::Cache& cache, const Progress& progress) {
+Result run(const Request& request, results::Cache& cache, const Progress& progress) {
     check_tools();
     if (!cache.trouble().empty()) throw UserError(cache.trouble());
     const Result result = Steps(request, cache, progress).run();
@@ -362,7 +362,7 @@ Result run(const Request& request, jobs::Cache& cache, const Progress& progress)
     return result;
 }
 
-std::optional<Result> kept(const Request& request, jobs::Cache& cache) {
+std::optional<Result> kept(const Request& request, results::Cache& cache) {
     check_tools();
     return Steps(request, cache, {}).kept();
 }

@@ -7,10 +7,10 @@
 
 #include "model/base/progress.hpp"
 #include "model/core/config.hpp"
+#include "sim/files/cache/results.hpp"
 #include "sim/silicon/chip/board.hpp"
 #include "sim/silicon/chip/nextpnr.hpp"
 #include "sim/silicon/chip/route.hpp"
-#include "sim/files/cache/results.hpp"
 
 namespace rayclock::chip {
 
@@ -50,10 +50,10 @@ std::vector<std::string> tops(const Config& config);
 
 /// Runs the missing steps. Throws UserError if a tool is missing, too old or fails, and Interrupted after
 /// Ctrl-C. After an interrupt the same request continues after its last finished step.
-Result run(const Request& request, jobs::Cache& cache, const Progress& progress);
+Result run(const Request& request, results::Cache& cache, const Progress& progress);
 
 /// Returns the kept result of a request; nothing if a seed is missing. Throws UserError if a tool is missing,
 /// because its version is part of the key.
-std::optional<Result> kept(const Request& request, jobs::Cache& cache);
+std::optional<Result> kept(const Request& request, results::Cache& cache);
 
 }   // namespace rayclock::chip

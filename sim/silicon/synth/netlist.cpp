@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "sim/files/cache/results.hpp"
 #include "sim/run/frame/frame.hpp"
 #include "sim/run/gen/rc_pkg.hpp"
 #include "sim/run/rtl/builder.hpp"
 #include "sim/silicon/synth/stat.hpp"
 #include "sim/silicon/synth/yosys.hpp"
-#include "sim/files/cache/results.hpp"
 
 namespace rayclock::synth {
 
@@ -48,8 +48,8 @@ bool exists_in_rtl(const Config& config) {
 }
 
 std::string netlist_key(const Config& config) {
-    return fmt::format("package {} rtl {} script {} {} pipelines {}", jobs::hash_text(rc_package(config)),
-                       rtl_digest(), jobs::hash_text(script), yosys_version(), config.pipelines);
+    return fmt::format("package {} rtl {} script {} {} pipelines {}", results::hash_text(rc_package(config)),
+                       rtl_digest(), results::hash_text(script), yosys_version(), config.pipelines);
 }
 
 std::optional<Netlist> count_netlist(const Config& config, const fs::path& work) {

@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "sim/files/cache/results.hpp"
 #include "sim/files/json_form.hpp"
 #include "sim/run/gen/ecp5.hpp"
 #include "sim/silicon/synth/yosys.hpp"
-#include "sim/files/cache/results.hpp"
 
 namespace rayclock::synth {
 
@@ -47,7 +47,7 @@ Part scaled(const Part& part, std::uint64_t n) {
     return result;
 }
 
-constexpr std::uint64_t most_part_cells = 1 << 30;   // exceeds every device
+constexpr std::uint64_t max_part_cells = 1 << 30;   // exceeds every device
 
 /// Reads modules within modules. It limits depth and visits, because a hostile file may nest modules
 /// endlessly or multiply their instances.
@@ -56,12 +56,12 @@ public:
     explicit Modules(const JsonValue& modules) : modules_(modules) {}
 
     Part part(const std::string& type) {
-        if (visits_++ > most_visits || depth_ > most_depth) modules_.refuse("are nested too deeply");
+        if (visits_++ > max_visits || depth_ > max_depth) modules_.refuse("are nested too deeply");
         ++depth_;
         Part made{module_name(type), 1, {}, {}}, beneath;
         for_each(modules_.at(type).at("num_cells_by_type"),
                  [&](const std::string& cell, const JsonValue& in) {
-                     const std::uint64_t n = in.whole(most_part_cells);
+                     const std::uint64_t n = in.whole(max_part_cells);
                      add_cells(made.count, cell, n);
                      // The name of a module as Yosys writes it, in its definition and in the cells that use
                      // it.
@@ -77,7 +77,7 @@ public:
     }
 
 private:
-    static constexpr int most_visits = 100'000, most_depth = 100;
+    static constexpr int max_visits = 100'000, max_depth = 100;
     const JsonValue& modules_;
     int visits_ = 0, depth_ = 0;
 };
@@ -130,7 +130,7 @@ std::optional<std::string> shape_of(const Config& config, const std::string& uni
     const std::string tidy =
         "proc\nopt_expr\nopt_clean\nsetattr -unset src\nsetattr -mod -unset src\nwrite_rtlil shape.il\n";
     if (!folder.run(config, read_flags, elaborate(config, unit) + tidy)) return std::nullopt;
-    return jobs::hash_text(folder.text("shape.il"));
+    return results::hash_text(folder.text("shape.il"));
 }
 
 std::optional<Part> synthesize(const Config& config, const std::string& unit,

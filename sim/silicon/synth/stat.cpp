@@ -9,14 +9,14 @@ namespace rayclock::synth {
 namespace {
 
 // A limit for cells and for the bits of one register. It exceeds every device.
-constexpr std::uint64_t most_cells = 1 << 30;
+constexpr std::uint64_t max_cells = 1 << 30;
 
 /// Returns the bits of a register type: 18 for $sdffe_18, 0 for other cells.
 std::uint64_t bits_of(const std::string& type, const JsonValue& count) {
     const std::size_t width = type.rfind('_');
     if (type.find("dff") == std::string::npos || type[0] != '$' || width == std::string::npos) return 0;
     const std::int64_t bits = whole_number(std::string_view(type).substr(width + 1), {"stat.json of yosys"});
-    if (bits < 0 || std::uint64_t(bits) >= most_cells) count.refuse("counts registers of an odd width");
+    if (bits < 0 || std::uint64_t(bits) >= max_cells) count.refuse("counts registers of an odd width");
     return std::uint64_t(bits);
 }
 
@@ -28,7 +28,7 @@ Netlist counts_of(const std::string& stat) {
     Netlist counts;
     const JsonValue types = JsonValue(document, name).at("design").at("num_cells_by_type");
     for_each(types, [&](const std::string& type, const JsonValue& count) {
-        const std::uint64_t n = count.whole(most_cells);
+        const std::uint64_t n = count.whole(max_cells);
         if (type == "MULT18X18D") counts.multipliers += n;
         counts.flip_flops += bits_of(type, count) * n;
     });

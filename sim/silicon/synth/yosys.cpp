@@ -10,17 +10,17 @@
 
 #include <fmt/format.h>
 
-#include "model/base/interrupted.hpp"
 #include "model/base/error.hpp"
+#include "model/base/interrupted.hpp"
 #include "model/base/quote.hpp"
-#include "sim/files/input.hpp"
-#include "sim/run/gen/rc_pkg.hpp"
 #include "sim/files/cache/results.hpp"
-#include "sim/run/rtl/builder.hpp"
+#include "sim/files/input.hpp"
 #include "sim/files/process/interrupt.hpp"
 #include "sim/files/process/process.hpp"
-#include "sim/run/rtl/sources.hpp"
 #include "sim/files/process/tools.hpp"
+#include "sim/run/gen/rc_pkg.hpp"
+#include "sim/run/rtl/builder.hpp"
+#include "sim/run/rtl/sources.hpp"
 
 namespace rayclock::synth {
 
@@ -60,7 +60,7 @@ const std::string& rtl_digest(RtlScope scope) {
         std::string all;
         for (const RtlText& source : rtl_texts(sources))
             if (source.name.ends_with(".sv")) all += source.name + "\n" + synthesised_text(source.text);
-        return jobs::hash_text(all);
+        return results::hash_text(all);
     };
     if (scope == RtlScope::board) {
         static const std::string of_board = digest_of(RtlScope::board);

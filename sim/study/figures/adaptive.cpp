@@ -1,7 +1,7 @@
 // Compares adaptive samples with the same number of samples everywhere.
 #include <fmt/format.h>
 
-#include "sim/study/figures/page.hpp"
+#include "sim/study/figures/figures_page.hpp"
 #include "sim/view/report/text.hpp"
 
 namespace rayclock::figures {
@@ -22,7 +22,7 @@ struct SamplingPoint {
 };
 
 std::vector<SamplingPoint> measure_samplings(Stage& stage, Engine engine) {
-    const Picture best = stage.take(engine, {.depth = adaptive_depth, .aa = most_aa}).picture;
+    const Picture best = stage.take(engine, {.depth = adaptive_depth, .aa = max_aa}).picture;
     std::vector<SamplingPoint> points;
     const auto add = [&](const std::string& label, const Whitted& settings) {
         const Shot shot = stage.take(engine, settings);
@@ -110,7 +110,7 @@ void adaptive(Page& page) {
         "Mitchell 1987). Depth {}. Error against the same engine's picture of 8x8 samples everywhere.\n",
         adaptive_side * adaptive_side - 4, adaptive_side, adaptive_side, adaptive_depth));
     for (const char* scene : adaptive_scenes) {
-        Stage stage(page.studio(), scene, {.depth = adaptive_depth, .aa = most_aa});
+        Stage stage(page.studio(), scene, {.depth = adaptive_depth, .aa = max_aa});
         page.say(fmt::format("\n### `{}`\n\n", scene));
         std::vector<std::vector<std::string>> rows;
         std::string sentences;

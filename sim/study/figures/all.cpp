@@ -1,7 +1,7 @@
 // Assembles the page of figures.
 #include <fmt/format.h>
 
-#include "sim/study/figures/page.hpp"
+#include "sim/study/figures/figures_page.hpp"
 
 namespace rayclock::figures {
 

@@ -1,7 +1,7 @@
 // Renders reflecting spheres on a checkered floor, bounce by bounce, and the contribution of each bounce.
 #include <fmt/format.h>
 
-#include "sim/study/figures/page.hpp"
+#include "sim/study/figures/figures_page.hpp"
 #include "sim/view/report/text.hpp"
 
 namespace rayclock::figures {

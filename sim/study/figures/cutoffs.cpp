@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/study/figures/page.hpp"
+#include "sim/study/figures/figures_page.hpp"
 #include "sim/view/report/accounts.hpp"
 #include "sim/view/report/text.hpp"
 
@@ -44,9 +44,9 @@ CutoffPoint point_of(const Shot& shot, const Whitted& settings, const Picture& w
 
 Curves measure_cutoffs(Stage& stage, Engine engine) {
     Curves curves{engine, {}, {}};
-    const Whitted all{.depth = most_depth};
+    const Whitted all{.depth = max_depth};
     const Shot whole = stage.take(engine, all);
-    for (int depth = 0; depth < most_depth; ++depth) {
+    for (int depth = 0; depth < max_depth; ++depth) {
         const Whitted settings{.depth = depth};
         curves.depths.push_back(point_of(stage.take(engine, settings), settings, whole.picture));
         if (curves.depths.back().rays == whole.rays) break;   // no ray goes deeper
@@ -54,7 +54,7 @@ Curves measure_cutoffs(Stage& stage, Engine engine) {
     curves.depths.push_back(point_of(whole, all, whole.picture));
     curves.thresholds.push_back(curves.depths.back());
     for (int shift = finest_cutoff; shift >= 1; --shift) {
-        const Whitted settings{.depth = most_depth, .threshold = 1.0 / (1 << shift)};
+        const Whitted settings{.depth = max_depth, .threshold = 1.0 / (1 << shift)};
         curves.thresholds.push_back(point_of(stage.take(engine, settings), settings, whole.picture));
     }
     return curves;
@@ -96,7 +96,7 @@ plot::Panel panel_of(const std::string& title, const std::vector<CutoffPoint>& p
                       true,
                       {}};
     for (const CutoffPoint& p : points) {
-        const bool is_whole = p.settings.depth == most_depth && p.settings.threshold == 0;
+        const bool is_whole = p.settings.depth == max_depth && p.settings.threshold == 0;
         panel.marks.push_back({is_machine ? khz * 1e3 / double(p.cycles) : double(p.rays.all()) / 1e3,
                                p.error.rmse, is_whole ? whole : p.label(), true, false});
     }
@@ -143,9 +143,9 @@ void cutoffs(Page& page) {
         "share of them that each cut-off saves, and the error against the same engine's picture of the whole "
         "tree (depth {}, threshold 0; RMSE of linear colours, 1 is full scale). Depths that no ray reaches "
         "are left out. Thresholds are measured at depth {}.\n",
-        most_depth, most_depth));
+        max_depth, max_depth));
     for (const Case& c : cases) {
-        Stage stage(page.studio(), c.scene, {.depth = most_depth});
+        Stage stage(page.studio(), c.scene, {.depth = max_depth});
         std::vector<Curves> all;
         for (const Engine e : page.measured()) all.push_back(measure_cutoffs(stage, e));
         if (all.empty()) continue;

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/study/figures/page.hpp"
+#include "sim/study/figures/figures_page.hpp"
 #include "sim/view/report/text.hpp"
 
 namespace rayclock::figures {

@@ -4,8 +4,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "sim/study/figures/page.hpp"
 #include "sim/files/image/image.hpp"
+#include "sim/study/figures/figures_page.hpp"
 
 namespace rayclock::figures {
 

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include "model/base/stopwatch.hpp"
-#include "sim/judge/reference/whitted.hpp"
 #include "model/scene/builtin.hpp"
-#include "sim/study/figures/page.hpp"
+#include "sim/judge/reference/whitted.hpp"
+#include "sim/study/figures/figures_page.hpp"
 #include "sim/view/report/accounts.hpp"
 #include "sim/view/report/text.hpp"
 

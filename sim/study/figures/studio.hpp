@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "sim/files/process/stopping.hpp"
 #include "sim/judge/reference/reference.hpp"
 #include "sim/run/frame/frame.hpp"
-#include "sim/files/process/stopping.hpp"
 
 namespace rayclock::figures {
 

@@ -3,11 +3,11 @@
 
 #include <mutex>
 
+#include "model/base/error.hpp"
+#include "model/base/interrupted.hpp"
 #include "model/compile/surfaces.hpp"
 #include "model/engine/check.hpp"
-#include "model/base/interrupted.hpp"
-#include "model/base/error.hpp"
-#include "sim/files/process/threads.hpp"
+#include "sim/files/process/parallel.hpp"
 #include "sim/load/load.hpp"
 #include "sim/run/request/request.hpp"
 
@@ -66,7 +66,7 @@ std::map<Point, Frame> run_all(const Job& job, const std::vector<Point>& points,
     std::vector<Frame> done(points.size());
     std::mutex mutex;
     std::size_t finished = 0;
-    jobs::for_each(points.size(), threads, [&](std::size_t i) {
+    parallel::for_each(points.size(), threads, [&](std::size_t i) {
         done[i] = frame_of(config_of(job.config, points[i]), std::get<1>(points[i]), frames);
         const std::lock_guard lock(mutex);
         if (progress) progress(what, ++finished, points.size());

@@ -1,7 +1,7 @@
 // Draws frames per second against the clock.
 #include <fmt/format.h>
 
-#include "sim/study/gigahertz/page.hpp"
+#include "sim/study/gigahertz/gigahertz_page.hpp"
 #include "sim/view/plot/line_chart.hpp"
 
 namespace rayclock::gigahertz {

@@ -1,5 +1,5 @@
 // Draws the cost of a frame against its triangles and its pixels.
-#include "sim/study/scale/page.hpp"
+#include "sim/study/scale/scale_page.hpp"
 #include "sim/view/plot/line_chart.hpp"
 
 namespace rayclock::scale {

@@ -6,14 +6,14 @@
 
 #include <fmt/format.h>
 
+#include "model/base/error.hpp"
 #include "model/compile/surfaces.hpp"
 #include "model/engine/engines.hpp"
-#include "model/base/error.hpp"
 #include "model/trace/hits.hpp"
+#include "sim/files/process/stopping.hpp"
 #include "sim/judge/reference/reference.hpp"
 #include "sim/load/load.hpp"
 #include "sim/run/request/request.hpp"
-#include "sim/files/process/stopping.hpp"
 
 namespace rayclock::structures {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/silicon/area/run.hpp"
 #include "sim/run/frame/frame.hpp"
+#include "sim/silicon/area/run.hpp"
 #include "sim/view/report/accounts.hpp"
 #include "sim/view/report/limits.hpp"
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "sim/study/structures/page.hpp"
+#include "sim/study/structures/structures_page.hpp"
 #include "sim/view/report/text.hpp"
 
 namespace rayclock::structures {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/study/structures/page.hpp"
+#include "sim/study/structures/structures_page.hpp"
 #include "sim/view/report/text.hpp"
 
 namespace rayclock::structures {

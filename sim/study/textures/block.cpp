@@ -124,20 +124,19 @@ void move_texels(RecordedFrame& frame, const Job& job,
     if (job.config.has_instances()) throw std::logic_error("move_texels: the machine has two levels");
     for (const std::uint32_t* at : frame.trace.rays)
         for (bool finished = false; !finished;) {
-            for (std::uint32_t head = 0; !(head & Trace::end_flag);) {
-                head = *at++;
-                if (head & Trace::tests_flag)
-                    while (!(*at++ & Trace::last_flag)) {}
+            for (VisitWord visit; !visit.ends_ray();) {
+                visit = {*at++};
+                if (visit.has_tests())
+                    while (!TestWord{*at++}.is_last()) {}
             }
-            if (*at & Trace::record_flag) {
-                const TexRecord record =
-                    unpack<TexRecord>(job.image.line(*at & Trace::node_mask), job.config);
+            if (EndWord{*at}.is_record()) {
+                const TexRecord record = unpack<TexRecord>(job.image.line(EndWord{*at}.line()), job.config);
                 // The trace owns its words, and nothing replays it now.
                 auto& line = const_cast<std::uint32_t&>(at[1]);
                 line = moved(record, line);
                 at += 2;
             }
-            finished = *at & Trace::pixel_flag;
+            finished = EndWord{*at}.ends_pixel();
             at += 2;
         }
 }

@@ -148,7 +148,7 @@ public:
 
     SceneFigures measure() {
         Whitted many = request_.settings;
-        many.aa = most_aa;
+        many.aa = max_aa;
         figures_.samples = exact(request_.scene, many);
         for (const Texture& texture : textures_) {
             const TexelLevel& level = texture.pyramid->levels[0];

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "model/base/quote.hpp"
-#include "sim/view/compare/compare.hpp"
 #include "sim/files/table.hpp"
+#include "sim/view/compare/compare.hpp"
 
 namespace rayclock {
 

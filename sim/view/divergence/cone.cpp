@@ -8,11 +8,11 @@
 
 #include <fmt/format.h>
 
+#include "sim/run/lockstep/driver.hpp"
+#include "sim/run/rtl/sources.hpp"
 #include "sim/view/divergence/fields.hpp"
 #include "sim/view/divergence/rtl_text.hpp"
 #include "sim/view/divergence/waveform.hpp"
-#include "sim/run/lockstep/driver.hpp"
-#include "sim/run/rtl/sources.hpp"
 #include "sim/view/wave/fst.hpp"
 
 namespace rayclock {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "sim/run/rtl/sources.hpp"
 #include "sim/view/divergence/capture.hpp"
 #include "sim/view/divergence/source.hpp"
-#include "sim/run/rtl/sources.hpp"
 
 namespace rayclock {
 

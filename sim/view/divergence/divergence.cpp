@@ -7,10 +7,10 @@
 
 #include "model/base/error.hpp"
 #include "model/base/interrupted.hpp"
-#include "sim/view/divergence/page.hpp"
-#include "sim/view/divergence/waveform.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/output.hpp"
+#include "sim/view/divergence/divergence_page.hpp"
+#include "sim/view/divergence/waveform.hpp"
 
 namespace rayclock {
 

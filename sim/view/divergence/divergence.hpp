@@ -2,9 +2,9 @@
 // Shows the first divergence of model and RTL: a waveform, a save file for GTKWave, and a page.
 #include <string>
 
-#include "sim/view/divergence/capture.hpp"
 #include "sim/files/scratch.hpp"
 #include "sim/run/lockstep/lockstep.hpp"
+#include "sim/view/divergence/capture.hpp"
 
 namespace rayclock {
 

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "sim/view/explain/explain.hpp"
 #include "sim/files/image/srgb.hpp"
+#include "sim/view/explain/explain.hpp"
 
 namespace rayclock {
 

@@ -15,7 +15,7 @@ Step::Phase phase_of(const Stay& stay) {
         case Unit::list:
         case Unit::prim_cache:
         case Unit::tri: return Step::Phase::test;
-        default: return decides_nodes(Unit(stay.place)) ? Step::Phase::visit : Step::Phase::shade;
+        default: return is_node_unit(Unit(stay.place)) ? Step::Phase::visit : Step::Phase::shade;
     }
 }
 

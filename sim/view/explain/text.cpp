@@ -1,9 +1,9 @@
 // Formats an explanation as text tables.
 #include <fmt/format.h>
 
-#include "sim/view/explain/explain.hpp"
-#include "sim/files/table.hpp"
 #include "sim/files/image/srgb.hpp"
+#include "sim/files/table.hpp"
+#include "sim/view/explain/explain.hpp"
 
 namespace rayclock {
 

@@ -3,10 +3,10 @@
 
 #include <bit>
 
-#include "model/unit/raygen/raygen.hpp"
 #include "model/scene/hit.hpp"
 #include "model/trace/record_shaded.hpp"
 #include "model/trace/walk.hpp"
+#include "model/unit/raygen/raygen.hpp"
 #include "model/unit/shade/pass.hpp"
 
 namespace rayclock {

@@ -3,8 +3,8 @@
 // part of these values.
 #include <vector>
 
-#include "model/layout/memory_image.hpp"
 #include "model/core/payloads.hpp"
+#include "model/layout/memory_image.hpp"
 #include "model/scene/whitted.hpp"
 
 namespace rayclock {

@@ -96,7 +96,7 @@ private:
         stay.work = std::min(least, stay.cycles);
         std::uint64_t left = stay.cycles - stay.work;
         const Link out = mine_.events[part.end].link;
-        if (!decides_nodes(Unit(stay.place)) && stay.place != index(Unit::tri))
+        if (!is_node_unit(Unit(stay.place)) && stay.place != index(Unit::tri))
             wait(stay, left, refused(part.begin, part.end, out),
                  fmt::format("{} accepts nothing", link_infos[index(out)].to));
         wait(stay, left, left, fmt::format("{}: other rays go first", place_name(stay.place)));

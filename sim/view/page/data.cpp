@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "sim/view/report/accounts.hpp"
 #include "sim/view/page/html.hpp"
+#include "sim/view/report/accounts.hpp"
 
 namespace rayclock {
 

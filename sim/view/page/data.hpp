@@ -2,7 +2,7 @@
 // JSON data of the page's charts.
 #include <nlohmann/json.hpp>
 
-#include "sim/view/page/page.hpp"
+#include "sim/view/page/run_page.hpp"
 
 namespace rayclock {
 

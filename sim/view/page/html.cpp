@@ -115,8 +115,8 @@ std::string inflated(std::string_view text, std::size_t size) {
         packed += char(group >> bits & 255);
     }
     // Deflate expands by at most 1032, so a larger `size` is an error. The check precedes the allocation.
-    constexpr std::size_t most_for_a_byte = 1032;
-    if (size / most_for_a_byte > packed.size()) throw std::runtime_error("packed bytes are too few");
+    constexpr std::size_t max_for_a_byte = 1032;
+    if (size / max_for_a_byte > packed.size()) throw std::runtime_error("packed bytes are too few");
     std::string out(size, '\0');
     uLongf length = uLong(size);
     if (uncompress(reinterpret_cast<Bytef*>(out.data()), &length,

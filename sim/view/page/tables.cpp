@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include "sim/files/table.hpp"
-#include "sim/view/report/accounts.hpp"
 #include "sim/view/page/data.hpp"
 #include "sim/view/page/html.hpp"
+#include "sim/view/report/accounts.hpp"
 
 namespace rayclock {
 

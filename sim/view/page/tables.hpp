@@ -2,7 +2,7 @@
 // The tables of a report's page.
 #include <string>
 
-#include "sim/view/page/page.hpp"
+#include "sim/view/page/run_page.hpp"
 
 namespace rayclock {
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "model/machine/links.hpp"
 #include "model/core/dram_parts.hpp"
+#include "model/machine/links.hpp"
 #include "model/mem/frame_buffer.hpp"
 
 namespace rayclock {

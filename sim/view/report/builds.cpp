@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "sim/view/report/terminal_line.hpp"
 #include "sim/run/rtl/builder.hpp"
+#include "sim/view/report/terminal_line.hpp"
 
 namespace rayclock {
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "model/scene/folded.hpp"
 #include "model/core/parameters.hpp"
+#include "model/scene/folded.hpp"
 #include "sim/run/memory/memory_file.hpp"
 #include "sim/view/report/accounts.hpp"
 

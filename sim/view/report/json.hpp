@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "model/scene/scene.hpp"
+#include "sim/files/image/image.hpp"
 #include "sim/judge/cause/cause.hpp"
 #include "sim/run/frame/frame.hpp"
-#include "sim/files/image/image.hpp"
 #include "sim/run/lockstep/lockstep.hpp"
 
 namespace rayclock {

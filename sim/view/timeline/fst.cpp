@@ -1,6 +1,6 @@
 // Writes a timeline as a waveform. All values are text, so viewers need no translation tables.
-#include <filesystem>
 #include <algorithm>
+#include <filesystem>
 #include <map>
 
 #include <fmt/format.h>

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "model/scene/camera.hpp"
 #include "model/machine/machine.hpp"
+#include "model/scene/camera.hpp"
 #include "sim/view/observe/events.hpp"
 
 namespace rayclock {

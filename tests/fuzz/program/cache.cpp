@@ -8,7 +8,7 @@ namespace rayclock::fuzz {
 void cache(std::string_view bytes) {
     using Json = nlohmann::ordered_json;
     const std::string path = file("frame-0.json").string(), key = "the key";
-    const auto value = jobs::entry_value(path, std::string(bytes), key);
+    const auto value = results::entry_value(path, std::string(bytes), key);
     // Try again with the right key and checksum, which mutation would never find.
     if (!passes([&] { parse_json(path, bytes); })) return demand(!value, "an entry is sound JSON");
     auto json = Json::parse(bytes, nullptr, false);
@@ -17,11 +17,11 @@ void cache(std::string_view bytes) {
         return part.dump(-1, ' ', false, Json::error_handler_t::replace);
     };
     json["key"] = key;
-    json["check"] = jobs::hash_text(text(json["value"]));
-    const auto found = jobs::entry_value(path, text(json), key);
+    json["check"] = results::hash_text(text(json["value"]));
+    const auto found = results::entry_value(path, text(json), key);
     demand(!value || (found && *found == *value), "an entry that was found is found again");
     demand(!found || text(*found) == text(json["value"]), "an entry gives the value that was written");
-    demand(!jobs::entry_value(path, text(json), "another key"), "an entry is of its key only");
+    demand(!results::entry_value(path, text(json), "another key"), "an entry is of its key only");
 }
 
 }   // namespace rayclock::fuzz

@@ -50,7 +50,7 @@ void state(std::string_view bytes) {
     const auto text = [](const Json& part) {
         return nlohmann::json(part).dump(-1, ' ', false, Json::error_handler_t::replace);
     };
-    json["check"] = jobs::hash_text(text(json["batches"]) + text(json["counts"]));
+    json["check"] = results::hash_text(text(json["batches"]) + text(json["counts"]));
     check_state(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 

@@ -61,7 +61,7 @@ constexpr Fitting fitting[] = {
     {"model/engine/octree/", "machine"},
     {"model/engine/none/", "machine"},
     {"model/unit/isect/origin", "origin"},
-    {"model/unit/isect/any", "any"},
+    {"model/unit/isect/test_primitive", "any"},
     {"model/unit/isect/", "tri"},
     {"model/unit/list/", "list"},
     {"model/unit/raygen/", "raygen"},

@@ -1,7 +1,7 @@
 #pragma once
 // Requests for the tri of a shading chip, with every kind of ray and primitive, and the judgement of its
 // answers by exact geometry.
-#include "model/unit/isect/any.hpp"
+#include "model/unit/isect/test_primitive.hpp"
 #include "model/unit/isect/tri.hpp"
 #include "sim/judge/oracle/ball.hpp"
 #include "tests/support/world/traffic.hpp"
@@ -47,7 +47,7 @@ inline bool leaves(const TriReq& r) {
 }
 /// Returns true for a ray from beyond the lattice. Its origin is in units of 2^far_drop, and it tests only
 /// planes.
-inline bool is_far(const TriReq& r) { return RayKind(r.kind) == RayKind::bounce && r.partial != 0; }
+inline bool is_far(const TriReq& r) { return RayKind(r.kind) == RayKind::bounce && r.is_partial != 0; }
 inline bool is_sphere(const TriReq& r, const Config& c) {
     return c.spheres && PrimKind(r.triangle.kind) == PrimKind::sphere;
 }
@@ -104,7 +104,7 @@ inline oracle::Rational unit_of(const Config& c) {
 }
 inline oracle::Int most_t(const Config& c) { return (oracle::Int(1) << c.t_bits()) - 1; }
 
-/// Returns the largest permitted excess of t for a sphere, as stated in model/unit/isect/any.hpp.
+/// Returns the largest permitted excess of t for a sphere, as stated in model/unit/isect/test_primitive.hpp.
 inline oracle::Rational sphere_excess(const oracle::Ball& ball, const Config& c) {
     const oracle::Rational unit = unit_of(c), a = ball.speed_squared();
     const oracle::Rational radius = sqrt(oracle::ceil(ball.radius_squared * unit * unit / a)) + 1;
@@ -117,7 +117,7 @@ inline oracle::SphereRoot sphere_truth(const TriReq& r, const Config& c) {
     if (is_opaque(r) && ((leaves(r) && r.self == r.triangle.prim) || ball.outside(0) <= 0))
         return oracle::SphereRoot::none;
     if (leaves(r) && r.self == r.triangle.prim)
-        return r.inside ? oracle::meets_from_its_surface(ball) : oracle::SphereRoot::none;
+        return r.is_inside ? oracle::meets_from_its_surface(ball) : oracle::SphereRoot::none;
     return oracle::meets(ball);
 }
 /// Returns true if the way back from the line's end, outside the sphere, to its beginning meets the sphere.
@@ -127,7 +127,7 @@ inline bool is_in_sight(const oracle::Ball& ball, const oracle::Rational& end) {
     return back.outside(0) > 0 && oracle::between(back, end);
 }
 inline bool blocked_truth(const TriReq& r, const Config& c) {
-    if (r.partial && PrimKind(r.triangle.kind) == PrimKind::plane) return false;
+    if (r.is_partial && PrimKind(r.triangle.kind) == PrimKind::plane) return false;
     if (!is_shadow(r))
         return is_sphere(r, c) ? sphere_truth(r, c) != oracle::SphereRoot::none
                                : flat_crossing(r, c).has_value();
@@ -135,7 +135,7 @@ inline bool blocked_truth(const TriReq& r, const Config& c) {
     if (is_sphere(r, c)) {
         const oracle::Ball ball = ball_of(r, c);
         if (is_opaque(r)) return r.self != r.triangle.prim && is_in_sight(ball, end);
-        return r.self == r.triangle.prim ? r.inside && ball.outside(0) > 0 : oracle::between(ball, end);
+        return r.self == r.triangle.prim ? r.is_inside && ball.outside(0) > 0 : oracle::between(ball, end);
     }
     const auto at = flat_crossing(r, c);
     return at && at->t < end;
@@ -281,10 +281,10 @@ inline TriReq random_any_req(Draw& draw, const Config& c) {
     r.triangle = random_prim(draw, c, from);
     const PrimData& p = r.triangle;
     r.self = draw.percent(60) ? std::uint32_t(draw.natural(c.prim_bits)) : p.prim;
-    r.inside = std::uint32_t(draw.coin());
-    if (!c.spheres) r.self = r.inside = 0;
+    r.is_inside = std::uint32_t(draw.coin());
+    if (!c.spheres) r.self = r.is_inside = 0;
     const bool is_bounce = RayKind(r.kind) == RayKind::bounce;
-    r.partial = c.planes && (ends_at_any(r.kind) || (is_bounce && c.horizon)) && draw.percent(30);
+    r.is_partial = c.planes && (ends_at_any(r.kind) || (is_bounce && c.horizon)) && draw.percent(30);
     // The target of the ray in units of 2^-B: a weighted point of the corners, or the centre with a random
     // offset.
     Vec3l at{};

@@ -96,7 +96,7 @@ inline BoxCase random_box_case(Draw& draw, const Config& config) {
 }
 
 /// Returns t_near of the child at `offset`, if the answer contains it.
-inline std::optional<std::uint32_t> reported(const BoxRsp& rsp, std::uint32_t offset) {
+inline std::optional<std::uint32_t> reported(const NodeAnswer& rsp, std::uint32_t offset) {
     for (std::size_t i = 0; i < rsp.inner + rsp.leaves; ++i)
         if (rsp.offset[i] == offset) return rsp.t_near[i];
     return std::nullopt;
@@ -104,7 +104,7 @@ inline std::optional<std::uint32_t> reported(const BoxRsp& rsp, std::uint32_t of
 
 /// Requires that no child that the ray meets is missing and that t_near is never beyond the entry. Any other
 /// child must be within the permitted tolerance.
-inline void judge_boxes(const BoxCase& c, const BoxRsp& rsp, const Config& config) {
+inline void judge_boxes(const BoxCase& c, const NodeAnswer& rsp, const Config& config) {
     const Node& node = c.req.node;
     const auto o = oracle::point(c.req.o), d = oracle::point(c.d);
     const int frac = config.origin_frac(), bits = c.is_long ? config.ray_dir_bits() : config.dir_bits;
@@ -133,7 +133,7 @@ inline void judge_boxes(const BoxCase& c, const BoxRsp& rsp, const Config& confi
 
 /// Requires counts and order: inner children first, each part sorted by (t_near, offset), then zeros. Ray and
 /// base are unchanged.
-inline void judge_order(const BoxCase& c, const BoxRsp& rsp, const Config& config) {
+inline void judge_order(const BoxCase& c, const NodeAnswer& rsp, const Config& config) {
     REQUIRE(rsp.ray == c.req.ray);
     REQUIRE(rsp.base == c.req.node.base);
     std::uint32_t inner = 0;
@@ -153,7 +153,7 @@ inline void judge_order(const BoxCase& c, const BoxRsp& rsp, const Config& confi
 }
 
 /// Requires that every reported leaf has its number of triangles.
-inline void judge_counts(const BoxCase& c, const BoxRsp& rsp, const Config& config) {
+inline void judge_counts(const BoxCase& c, const NodeAnswer& rsp, const Config& config) {
     std::uint32_t at = 0;
     for (std::size_t i = 0; i < std::size_t(config.node_width); ++i) at += 2 * (c.req.node.kind[i] == 1);
     for (std::size_t i = 0; i < std::size_t(config.node_width); ++i) {
@@ -164,7 +164,7 @@ inline void judge_counts(const BoxCase& c, const BoxRsp& rsp, const Config& conf
     }
 }
 
-inline void judge(const BoxCase& c, const BoxRsp& rsp, const Config& config) {
+inline void judge(const BoxCase& c, const NodeAnswer& rsp, const Config& config) {
     judge_boxes(c, rsp, config);
     judge_order(c, rsp, config);
     judge_counts(c, rsp, config);

@@ -135,7 +135,7 @@ inline GlobeSight sight_of(const GlobeCase& c, std::size_t i, const Config& conf
 /// Requires that no globe that the ray meets is missing and that t_near is never beyond the entry. Extra
 /// globes and early times must be explained by the roundings. Inner children come first, each part sorted by
 /// (t_near, offset). The rest is zero.
-inline void judge(const GlobeCase& c, const BoxRsp& rsp, const Config& config, bool is_tight = true) {
+inline void judge(const GlobeCase& c, const NodeAnswer& rsp, const Config& config, bool is_tight = true) {
     using oracle::Rational;
     const GlobeNode& node = c.req.node;
     const bool is_long = RayKind(c.ray.kind) == RayKind::shadow;

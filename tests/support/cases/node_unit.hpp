@@ -18,7 +18,7 @@ template <class Dut, class DrawCase> void check_judged(const Config& config, Dra
                 cases.push_back(draw_case(from, config));
                 return cases.back().req;
             },
-            [&](const auto&, const BoxRsp& rsp) {
+            [&](const auto&, const NodeAnswer& rsp) {
                 judge(cases.front(), rsp, config);
                 cases.pop_front();
             });

@@ -112,7 +112,7 @@ inline Surface random_surface(Draw& draw, const Config& c) {
     for (Vec3i* corner : {&s.a, &s.b, &s.c})
         for (auto& x : *corner) x = std::max(x, 1 - (1 << (c.coord_bits - 1)));
     if (s.kind == std::uint32_t(PrimKind::triangle)) {   // edges of whole 2^fine steps
-        s.fine = std::uint32_t(draw.below(std::clamp(c.bary_bits - c.origin_bits, 0, most_fine) + 1));
+        s.fine = std::uint32_t(draw.below(std::clamp(c.bary_bits - c.origin_bits, 0, max_fine) + 1));
         const std::int32_t step = 1 << s.fine;
         for (Vec3i* corner : {&s.b, &s.c})
             for (std::size_t k = 0; k < 3; ++k) (*corner)[k] = s.a[k] + ((*corner)[k] - s.a[k]) / step * step;
@@ -159,8 +159,8 @@ inline Closest random_closest(Draw& draw, const Config& c, const Surface& surfac
 /// starts now, or later towards a light beyond the lattice.
 inline void aim_far(Draw& draw, const Frame& frame, const Config& c, ShadeState& s) {
     const Vec3i within = draw_place(draw, c);
-    const bool is_light = s.next_event == std::uint32_t(ShadeEvent::light);
-    const Vec3i d = s.next_event == std::uint32_t(ShadeEvent::refract) ? refract(c, s).d : reflect(c, s).d;
+    const bool is_light = s.next_event == ShadeEvent::light;
+    const Vec3i d = s.next_event == ShadeEvent::refract ? refract(c, s).d : reflect(c, s).d;
     const int further = draw.between(1, 6);
     const std::int64_t most = (std::int64_t(1) << (c.point_width() - 1)) - 1,
                        steps = std::int64_t(draw.natural(approach_steps)) << c.approach_shift();
@@ -179,40 +179,39 @@ inline bool follows_light(ShadeEvent event) {
 /// Draws a state after a light, often one whose shadow ray has met a cut-out.
 inline void draw_light_of_holes(Draw& draw, const Frame& frame, ShadeState& s) {
     const int lights = int(frame.shade.lights);
-    if (lights == 0 || !follows_light(ShadeEvent(s.next_event)) || draw.percent(40)) return;
-    if (s.next_event == std::uint32_t(ShadeEvent::light)) {
+    if (lights == 0 || !follows_light(s.next_event) || draw.percent(40)) return;
+    if (s.next_event == ShadeEvent::light) {
         if (lights == 1) return;
         s.light = std::uint32_t(draw.between(1, lights - 1));
     } else {
         s.light = std::uint32_t(lights);
     }
-    s.pending = std::uint32_t(draw.coin() ? Pending::texture : Pending::answer);
+    s.pending = draw.coin() ? Pending::texture : Pending::answer;
     s.light_holes = std::uint32_t(draw.percent(40)   ? 0
-                                  : draw.percent(30) ? most_holes
-                                  : draw.percent(30) ? most_holes - 1
+                                  : draw.percent(30) ? max_holes
+                                  : draw.percent(30) ? max_holes - 1
                                                      : int(draw.natural(hole_bits)));
 }
 
 inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) {
     ShadeState s;
-    s.next_event = std::uint32_t(draw.below(c.has_homes() ? 6 : 5));
+    s.next_event = ShadeEvent(draw.below(c.has_homes() ? 6 : 5));
     if (c.has_textures()) {
-        if (draw.percent(15)) s.next_event = std::uint32_t(ShadeEvent::texture);
+        if (draw.percent(15)) s.next_event = ShadeEvent::texture;
         s.path = std::uint32_t(draw.natural(draw.between(1, c.path_bits())));
         s.ambient = share_up_to(draw, share_bits);
         s.record = draw.coin() ? 0 : std::uint32_t(draw.natural(c.addr_bits));
-        s.round = c.spheres && draw.coin();
+        s.is_round = c.spheres && draw.coin();
         s.holes = std::uint32_t(draw.coin()        ? 0
-                                : draw.percent(40) ? most_holes
-                                : draw.percent(40) ? most_holes - 1
+                                : draw.percent(40) ? max_holes
+                                : draw.percent(40) ? max_holes - 1
                                                    : int(draw.natural(hole_bits)));
     }
     // Rays continue only through triangles, whose points lie in the lattice.
-    const bool is_textured = s.next_event == std::uint32_t(ShadeEvent::texture);
-    if (s.next_event == std::uint32_t(ShadeEvent::light) && frame.shade.lights == 0) s.next_event = 0;
-    if (s.next_event == std::uint32_t(ShadeEvent::refract) && !c.refraction)
-        s.next_event = std::uint32_t(ShadeEvent::reflect);
-    s.pending = std::uint32_t(draw.below(3));
+    const bool is_textured = s.next_event == ShadeEvent::texture;
+    if (s.next_event == ShadeEvent::light && frame.shade.lights == 0) s.next_event = ShadeEvent::arrive;
+    if (s.next_event == ShadeEvent::refract && !c.refraction) s.next_event = ShadeEvent::reflect;
+    s.pending = Pending(draw.below(3));
     s.x = std::uint32_t(draw.natural(c.pixel_bits)), s.y = std::uint32_t(draw.natural(c.pixel_bits));
     if (c.supersampling) {
         s.sample = std::uint32_t(draw.below(int(frame.shade.side * frame.shade.side)));
@@ -232,29 +231,29 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
     s.weight = share_up_to(draw, unit_bits);
     s.depth = std::uint32_t(draw.below(15));
     for (std::size_t k = 0; const std::int32_t x : draw_place(draw, c)) s.o[k++] = x;
-    s.far = c.planes && !is_textured && draw.percent(30), s.lost = s.far && draw.percent(20);
-    if (s.far)
+    s.is_far = c.planes && !is_textured && draw.percent(30), s.is_lost = s.is_far && draw.percent(20);
+    if (s.is_far)
         for (auto& x : s.o) x = draw.number(draw.between(c.origin_width(), c.point_width() - 1));
     for (auto& x : s.n) x = draw.percent(5) ? 0 : draw.number(c.normal_bits() - 1);
     if (draw.percent(5)) s.n = {};   // so that a direction lies in the plane
     s.normal = draw_unit(draw), s.view = draw_unit(draw);
     s.cosine = share_up_to(draw, unit_bits);
-    s.self = std::uint32_t(draw.natural(c.prim_bits)), s.inside = draw.coin();
+    s.self = std::uint32_t(draw.natural(c.prim_bits)), s.is_inside = draw.coin();
     s.albedo = shares_up_to(draw, share_bits);
     for (auto* x : {&s.diffuse, &s.highlight}) *x = share_up_to(draw, share_bits);
     for (auto* x : {&s.mirror, &s.transmit, &s.r0}) *x = share_up_to(draw, unit_bits);
     s.shine = std::uint32_t(draw.natural(draw.between(1, shine_bits)));
     s.ratio = std::uint32_t(draw.percent(70) ? draw.between(2000, 8000) : int(draw.natural(ratio_bits)));
     s.schlick = draw.coin();
-    s.cell = random_cell(draw, c), s.across = random_cell(draw, c);
+    s.in_cell = random_cell(draw, c), s.across = random_cell(draw, c);
     const bool has_light = frame.shade.lights > 0 && !is_textured;   // before its lights, the number is 0
     s.light = has_light ? std::uint32_t(draw.below(int(frame.shade.lights))) : 0;
     s.total = c.refraction && draw.coin();
     if (c.has_textures()) draw_light_of_holes(draw, frame, s);
-    if (s.far && draw.percent(70)) aim_far(draw, frame, c, s);
+    if (s.is_far && draw.percent(70)) aim_far(draw, frame, c, s);
     if (c.has_homes()) {
         const Vec3i within = draw_place(draw, c);
-        for (std::size_t k = 0; k < 3; ++k) s.inner[k] = s.far ? s.o[k] : within[k];
+        for (std::size_t k = 0; k < 3; ++k) s.inner[k] = s.is_far ? s.o[k] : within[k];
     }
     return s;
 }
@@ -262,8 +261,8 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
 /// A plane or a sphere never belongs to a transformed instance.
 inline Placement pass_placement(Draw& draw, const Config& c, const ShadeState& state) {
     Placement p = random_placement(draw, c);
-    if (!state.far && !state.round && draw.percent(70)) return p;
-    p.same = 1, p.a = {}, p.b = {};
+    if (!state.is_far && !state.is_round && draw.percent(70)) return p;
+    p.is_same = 1, p.a = {}, p.b = {};
     for (std::size_t k = 0; k < 3; ++k) p.a[4 * k] = 1 << c.map_frac();
     return p;
 }
@@ -275,8 +274,7 @@ inline PassIn random_pass(Draw& draw, const Frame& frame, const Config& c) {
     in.surface = random_surface(draw, c);
     in.hit = random_closest(draw, c, in.surface);
     in.hit.ray = in.ray;
-    if (c.has_textures() && follows_light(ShadeEvent(in.state.next_event)) && draw.coin())
-        in.hit.cutout = in.hit.found;
+    if (c.has_textures() && follows_light(in.state.next_event) && draw.coin()) in.hit.cutout = in.hit.found;
     in.o = draw_place(draw, c);
     in.d = draw.vector(c.dir_bits);
     // With two levels raygen adds one to a component of -2^(M-1) (docs/machine/motion.md).
@@ -285,8 +283,8 @@ inline PassIn random_pass(Draw& draw, const Frame& frame, const Config& c) {
     if (c.refraction) {
         in.top.o = draw_place(draw, c), in.top.d = draw.vector(c.dir_bits);
         in.top.weight = share_up_to(draw, unit_bits), in.top.depth = std::uint32_t(draw.below(16));
-        in.top.self = std::uint32_t(draw.natural(c.prim_bits)), in.top.inside = draw.coin();
-        in.top.cell = random_cell(draw, c), in.top.partial = c.horizon && draw.coin();
+        in.top.self = std::uint32_t(draw.natural(c.prim_bits)), in.top.is_inside = draw.coin();
+        in.top.in_cell = random_cell(draw, c), in.top.is_partial = c.horizon && draw.coin();
         if (c.has_textures()) in.top.path = std::uint32_t(draw.natural(c.path_bits()));
     }
     if (c.has_textures()) in.texel = shares_up_to(draw, share_bits), in.hole = draw.coin();
@@ -302,7 +300,7 @@ inline PassIn random_pass(Draw& draw, const Frame& frame, const Config& c) {
 
 /// Returns the same pass, but without a cut-out in the way to the last light.
 inline PassIn without_cutout(PassIn in) {
-    if (in.state.pending == std::uint32_t(Pending::texture)) in.state.pending = std::uint32_t(Pending::none);
+    if (in.state.pending == Pending::texture) in.state.pending = Pending::none;
     in.hit.cutout = 0;
     return in;
 }

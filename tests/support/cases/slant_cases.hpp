@@ -140,7 +140,7 @@ inline ExitTimes exit_times(const SlantCase& c, std::size_t exit, const Config& 
         });
     });
 }
-inline void judge(const SlantCase& c, const BoxRsp& rsp, const Config& config) {
+inline void judge(const SlantCase& c, const NodeAnswer& rsp, const Config& config) {
     judge(c, c.req.node, rsp, config);
 }
 

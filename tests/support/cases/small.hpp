@@ -174,7 +174,7 @@ private:
 struct BoxVerdict {
     std::uint64_t boxes = 0, met = 0, taken = 0, lost = 0, late = 0;
 };
-inline void judge_small(const BoxCase& c, const BoxRsp& rsp, const Config& config, BoxVerdict& verdict) {
+inline void judge_small(const BoxCase& c, const NodeAnswer& rsp, const Config& config, BoxVerdict& verdict) {
     const std::int64_t parts = std::int64_t(1) << config.origin_frac();   // all lengths are in steps of 2^-B
     const int bits = c.is_long ? config.ray_dir_bits() : config.dir_bits;
     std::array<std::int64_t, max_width> said;

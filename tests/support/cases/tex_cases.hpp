@@ -230,7 +230,7 @@ inline TexRsp wanted_answer(const Line& line, const WantedPlace& place, TexelFor
 /// Draws a coordinate: any number, or one within 2 of a border of texels, of half texels, or of pictures.
 inline std::int32_t random_coordinate(Draw& draw) {
     if (draw.coin()) return std::int32_t(draw.number(coordinate_bits));
-    const int step = draw.between(coordinate_frac - most_side_log - 1, coordinate_frac + 1);
+    const int step = draw.between(coordinate_frac - max_side_log - 1, coordinate_frac + 1);
     const std::int64_t border = std::int64_t(draw.number(coordinate_bits - step)) << step;
     const std::int64_t most = (1 << (coordinate_bits - 1)) - 1;
     return std::int32_t(std::clamp<std::int64_t>(border + draw.between(-2, 2), -most - 1, most));
@@ -249,9 +249,9 @@ inline TexRecord random_record(Draw& draw, const Config& c) {
     record.s = random_corners(draw), record.t = random_corners(draw);
     record.base = std::uint32_t(draw.natural(c.addr_bits));
     const auto side = [&] {
-        return std::uint32_t(draw.coin()   ? draw.between(0, most_side_log)
+        return std::uint32_t(draw.coin()   ? draw.between(0, max_side_log)
                              : draw.coin() ? 0
-                             : draw.coin() ? most_side_log
+                             : draw.coin() ? max_side_log
                                            : draw.between(1, 3));
     };
     record.log_width = side(), record.log_height = side();

@@ -183,7 +183,7 @@ inline ExitTimes exit_times(const TreeletCase& c, std::size_t exit, const Config
 /// other exit must meet exact planes moved by the rounding errors. Inner exits come first, each part sorted
 /// by (t_near, offset). The rest is zero.
 template <class Case, class Line>
-void judge(const Case& c, const Line& t, const BoxRsp& rsp, const Config& config) {
+void judge(const Case& c, const Line& t, const NodeAnswer& rsp, const Config& config) {
     const oracle::Int beyond = (oracle::Int(1) << config.t_bits()) - 1;
     const auto width = std::size_t(config.node_width);
     std::uint32_t lines = 0, primitives = 0, before = 0, found = 0;
@@ -214,7 +214,7 @@ void judge(const Case& c, const Line& t, const BoxRsp& rsp, const Config& config
     }
 }
 
-inline void judge(const TreeletCase& c, const BoxRsp& rsp, const Config& config) {
+inline void judge(const TreeletCase& c, const NodeAnswer& rsp, const Config& config) {
     judge(c, c.req.node, rsp, config);
 }
 

@@ -79,7 +79,7 @@ struct RaygenUnit {
 /// The unit that decides an engine's nodes; its name and its answer follow.
 template <class Engine> struct NodeTestUnit {
     using Req = typename Engine::Request;
-    using Rsp = BoxRsp;
+    using Rsp = NodeAnswer;
     static constexpr const char *in = "req", *out = "rsp";
     static constexpr bool has_frame = false;
     static int latency(const Config& c) { return Engine::latency(c); }
@@ -88,19 +88,19 @@ template <class Engine> struct NodeTestUnit {
 struct BoxUnit : NodeTestUnit<engine::Bvh> {
     static constexpr const char* name = "rc_box";
     static int interval(const Config& c) { return c.box_interval(); }
-    static BoxRsp answer(const BoxReq& req, const Frame&, const Config& c) { return box(req, c); }
+    static NodeAnswer answer(const BoxReq& req, const Frame&, const Config& c) { return box(req, c); }
 };
 struct TreeletUnit : NodeTestUnit<engine::Kd> {
     static constexpr const char* name = "rc_treelet";
-    static BoxRsp answer(const TreeletReq& req, const Frame&, const Config& c) { return treelet(req, c); }
+    static NodeAnswer answer(const TreeletReq& req, const Frame&, const Config& c) { return treelet(req, c); }
 };
 struct GlobeUnit : NodeTestUnit<engine::Globes> {
     static constexpr const char* name = "rc_globe";
-    static BoxRsp answer(const GlobeReq& req, const Frame&, const Config& c) { return globe(req, c); }
+    static NodeAnswer answer(const GlobeReq& req, const Frame&, const Config& c) { return globe(req, c); }
 };
 struct SlantUnit : NodeTestUnit<engine::Bsp> {
     static constexpr const char* name = "rc_slant";
-    static BoxRsp answer(const SlantReq& req, const Frame&, const Config& c) { return slant(req, c); }
+    static NodeAnswer answer(const SlantReq& req, const Frame&, const Config& c) { return slant(req, c); }
 };
 struct TriUnit {
     using Req = TriReq;

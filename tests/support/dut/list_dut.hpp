@@ -39,9 +39,16 @@ public:
         tri_req.offer.reset();
         if (prim_rsp.offer) {
             const Ray& r = rays_[prim_rsp.offer->ray];
-            tri_req.offer = TriReq{
-                r.ray,  r.o,      r.d,      prim_rsp.offer->triangle, tests_[r.ray].best(), r.shear, r.kind,
-                r.self, r.inside, r.partial};
+            tri_req.offer = TriReq{r.ray,
+                                   r.o,
+                                   r.d,
+                                   prim_rsp.offer->triangle,
+                                   tests_[r.ray].best(),
+                                   r.shear,
+                                   r.kind,
+                                   r.self,
+                                   r.is_inside,
+                                   r.is_partial};
         }
         done.ready = closest.ready;
         closest.offer.reset();

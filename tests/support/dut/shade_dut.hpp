@@ -44,8 +44,7 @@ public:
         if (closest.offer) {
             PassIn& in = contexts_[closest.offer->ray].in;
             in.hit = *closest.offer;
-            wants = meets_cutout(in) ||
-                    (in.hit.found && in.state.next_event == std::uint32_t(ShadeEvent::arrive));
+            wants = meets_cutout(in) || (in.hit.found && in.state.next_event == ShadeEvent::arrive);
         }
         if (surf_rsp.fires()) contexts_[surf_rsp.offer->ray].in.surface = surf_rsp.offer->surface;
         if (tex_rsp) {

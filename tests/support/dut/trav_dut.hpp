@@ -11,7 +11,7 @@ struct TravLinks {
     std::optional<Start> start;
     Wire<Ray> ray;
     Wire<NodeRsp> node_rsp;
-    Wire<BoxRsp> box_rsp;
+    Wire<NodeAnswer> box_rsp;
     Wire<Tested> tested;
     Wire<NodeReq> node_req;
     Wire<BoxReq> box_req;
@@ -51,12 +51,12 @@ public:
         }
         box_rsp.ready = true;
         leaves.reset();
-        const std::optional<BoxRsp>& boxed = node_answer_delay_.out(box_rsp.offer);
+        const std::optional<NodeAnswer>& boxed = node_answer_delay_.out(box_rsp.offer);
         if (boxed && boxed->leaves > 0 && boxed->t_near[boxed->inner] <= contexts_[boxed->ray].reach)
             leaves = leaves_of(*boxed);
     }
     void commit() {
-        const std::optional<BoxRsp> boxed = node_answer_delay_.out(box_rsp.offer);
+        const std::optional<NodeAnswer> boxed = node_answer_delay_.out(box_rsp.offer);
         const LinkRay leafless = leaves ? LinkRay{} : ray_of(boxed);
         trav_.clock({ray_of(ray), leafless, ray_of(tested.offer), node_req.fires(), done.fires()},
                     [&](std::uint32_t number, bool valid) {
@@ -98,7 +98,7 @@ private:
     std::uint32_t root_;
     Trav trav_;
     std::vector<Context> contexts_;
-    DelayedLink<BoxRsp> node_answer_delay_;
+    DelayedLink<NodeAnswer> node_answer_delay_;
 };
 
 class TravRtl : public TravLinks {

@@ -18,7 +18,7 @@ Vec3i exact_direction(const Frame& frame, int x, int y, const Config& config) {
     for (std::size_t k = 0; k < 3; ++k)
         sum[k] = Int(frame.corner[k]) + x * Int(frame.right[k]) + y * Int(frame.down[k]);
     const Int unit = Int(2) << guard_bits, most = Int(1) << (config.dir_bits - 1);   // of twice the sum
-    for (int shift = most_shift;; --shift) {
+    for (int shift = max_shift;; --shift) {
         std::array<Int, 3> twice;
         bool fits = true;
         for (std::size_t k = 0; k < 3; ++k) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/run/rtl/builder.hpp"
-#include "sim/files/process/threads.hpp"
+#include "sim/files/process/parallel.hpp"
 
 namespace rayclock::test {
 
@@ -21,7 +21,7 @@ inline void build_all(const std::vector<RtlJob>& jobs) {
     std::mutex mutex;
     std::exception_ptr failed;
     std::size_t done = 0, kept = 0;
-    jobs::for_each(jobs.size(), 2, [&](std::size_t i) {
+    parallel::for_each(jobs.size(), 2, [&](std::size_t i) {
         const RtlJob& job = jobs[i];
         RtlBuild build;
         std::exception_ptr error;

@@ -65,8 +65,8 @@ namespace {
 
 /// Returns the word after a visit and its triangles.
 const std::uint32_t* after_visit(const std::uint32_t* word) {
-    if (*word++ & Trace::tests_flag)
-        while (!(*word++ & Trace::last_flag)) {}
+    if (*word++ & VisitWord::tests_flag)
+        while (!(*word++ & TestWord::last_flag)) {}
     return word;
 }
 
@@ -76,11 +76,11 @@ std::uint64_t totally_reflected(const Trace& trace) {
     std::uint64_t rays = 0;
     for (const std::uint32_t* word : trace.rays)
         for (bool done = false; !done;) {
-            while (!(*word & Trace::end_flag)) word = after_visit(word);
+            while (!(*word & VisitWord::end_flag)) word = after_visit(word);
             word = after_visit(word);
-            while (*word & Trace::place_flag) ++word;
-            if (*word & Trace::record_flag) word += 2;
-            done = *word & Trace::pixel_flag;
+            while (*word & EndWord::place_flag) ++word;
+            if (*word & EndWord::record_flag) word += 2;
+            done = *word & EndWord::pixel_flag;
             word += 2;
             ++rays;
         }

@@ -40,7 +40,7 @@ private:
             see("mem.addr", walk.node());
             for (std::size_t k = 0; k < 3; ++k) slab(k, ray, read_node(image_, walk.node(), c_));
             bool more = walk.test_node();
-            const BoxRsp boxes = walk.boxes();
+            const NodeAnswer boxes = walk.node_answer();
             list(boxes);
             for (; more; more = walk.advance()) {
                 see("list.prim addr", walk.prim());
@@ -119,7 +119,7 @@ private:
         see("box." + name, down << left);
     }
 
-    void list(const BoxRsp& boxes) {
+    void list(const NodeAnswer& boxes) {
         see("list.base", boxes.base);
         see("list.inner", boxes.inner);
         see("list.leaves", boxes.leaves);

@@ -18,11 +18,11 @@ inline void append_walk(Walk& walk, std::vector<std::uint32_t>& words) {
             walk.test_triangle();
         }
         if (words.size() > head + 1) {
-            words.back() |= Trace::last_flag;
-            words[head] |= Trace::tests_flag;
+            words.back() |= TestWord::last_flag;
+            words[head] |= VisitWord::tests_flag;
         }
         const std::uint32_t turns = walk.decide(done);
-        words[head] |= (done ? Trace::end_flag : 0) | turns << Trace::dropped_shift;
+        words[head] |= (done ? VisitWord::end_flag : 0) | turns << VisitWord::dropped_shift;
     }
 }
 

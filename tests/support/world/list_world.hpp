@@ -207,8 +207,9 @@ private:
 
     void check_test(const TriReq& req) const {
         const LeafWalk& walk = contexts_[prim_->ray].walk;
-        TriReq expected{walk.ray.ray,   walk.ray.o,    walk.ray.d,    prim_->triangle, {},
-                        walk.ray.shear, walk.ray.kind, walk.ray.self, walk.ray.inside, walk.ray.partial};
+        TriReq expected{
+            walk.ray.ray,   walk.ray.o,    walk.ray.d,    prim_->triangle,    {},
+            walk.ray.shear, walk.ray.kind, walk.ray.self, walk.ray.is_inside, walk.ray.is_partial};
         if (walk.found.closer) expected.best = {1, walk.found.num, walk.found.det, walk.found.prim};
         REQUIRE(same(req, expected, config_));
     }

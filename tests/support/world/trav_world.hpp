@@ -17,7 +17,7 @@ public:
         int level;   ///< number of groups that may lie below it
     };
     /// Returns the next place after a node, or nothing if the ray is done. `level` is the node's level.
-    std::optional<StackEntry> next(const BoxRsp& boxes, const Tested& tested, int level) {
+    std::optional<StackEntry> next(const NodeAnswer& boxes, const Tested& tested, int level) {
         if (tested.stop) return std::nullopt;
         for (std::size_t i = boxes.inner; i-- > 0;)
             pile_.push_back({boxes.t_near[i], boxes.base + boxes.offset[i] / 2, level + 1});
@@ -110,7 +110,7 @@ private:
         bool busy = false, ending = false, reached_bottom = false;
         Ray ray;
         Walk walk;
-        BoxRsp boxes;
+        NodeAnswer boxes;
         std::optional<Walk::StackEntry> awaited;
         int level = 0, nodes = 0, most_nodes = 0;
         std::uint32_t t_best = 0;
@@ -147,7 +147,7 @@ private:
     }
 
     void make_boxes() {
-        BoxRsp boxes;
+        NodeAnswer boxes;
         boxes.ray = pick(testing_);
         Context& c = contexts_[boxes.ray];
         boxes.base = std::uint32_t(draw_.bits(max_addr_bits - 1));
@@ -181,9 +181,9 @@ private:
     /// Leaves go to list in the cycle in which box answers (in a fast chip some cycles later) if the nearest
     /// can matter. Other leaves are never sent.
     void see_leaves(const TravLinks& dut) {
-        std::optional<BoxRsp> taken;
+        std::optional<NodeAnswer> taken;
         if (boxes_ && dut.box_rsp.fires()) taken.swap(boxes_);
-        const std::optional<BoxRsp> seen = node_answer_delay_.out(taken);
+        const std::optional<NodeAnswer> seen = node_answer_delay_.out(taken);
         node_answer_delay_.clock(taken);
         if (!seen) {
             REQUIRE_FALSE(dut.leaves);
@@ -246,7 +246,7 @@ private:
 
     Frame frame_;
     Config config_;
-    DelayedLink<BoxRsp> node_answer_delay_;   // answers that trav has accepted and not yet processed
+    DelayedLink<NodeAnswer> node_answer_delay_;   // answers that trav has accepted and not yet processed
     Pace flow_;
     Draw draw_;
     int left_, started_ = 0, ended_ = 0, nodes_ = 0, stopped_ = 0, listings_ = 0;
@@ -254,7 +254,7 @@ private:
     // Rays whose node is in flight, rays at box, and rays whose leaves are at list.
     std::vector<std::uint32_t> fetched_, testing_, listed_;
     std::optional<Ray> ray_;
-    std::optional<BoxRsp> boxes_;
+    std::optional<NodeAnswer> boxes_;
     std::optional<Tested> tested_;
     std::optional<NodeRsp> node_rsp_;
 };

@@ -12,8 +12,8 @@ using namespace rayclock::test;
 namespace {
 
 using Payloads =
-    std::tuple<Frame, Slot, Ray, Node, PrimData, NodeReq, PrimReq, NodeRsp, PrimRsp, BoxReq, BoxRsp, Children,
-               Leaves, Start, Best, TriReq, TriRsp, Tested, Done, Closest, HitOut>;
+    std::tuple<Frame, Slot, Ray, Node, PrimData, NodeReq, PrimReq, NodeRsp, PrimRsp, BoxReq, NodeAnswer,
+               Children, Leaves, Start, Best, TriReq, TriRsp, Tested, Done, Closest, HitOut>;
 
 /// Lists a payload's values, to compare two payloads without packing.
 class ListVisitor {

@@ -51,7 +51,7 @@ TEMPLATE_TEST_CASE("the sphere test distinguishes inside, rim and the sphere's o
         r.o = o;
         r.d = d;
         r.self = self;
-        r.inside = inside;
+        r.is_inside = inside;
         r.triangle = {{0, 0, 0}, {100 * 100, 0, 1}, {}, 9, 2};   // radius 100
         return r;
     };

@@ -63,7 +63,7 @@ struct Space {
         if (kind == 2)   // so far `d` was the end
             for (std::size_t k = 0; k < 3; ++k) r.d[k] -= r.o[k];
         r.triangle.b[2] = std::int32_t(take(1));
-        if (kind != 0) r.self = take(1) ? 5 : 4, r.inside = std::uint32_t(take(1));
+        if (kind != 0) r.self = take(1) ? 5 : 4, r.is_inside = std::uint32_t(take(1));
         return r;
     }
 };
@@ -89,11 +89,11 @@ Truth truth(const TriReq& r, const Config& c) {
         return {!own && (r.kind == 2 ? f(1) > 0 && between : start > 0 && dips), false};
     }
     if (r.kind == 2) {
-        if (own) return {r.inside && start > 0, false};
+        if (own) return {r.is_inside && start > 0, false};
         if (start > 0) return {f(1) < 0 || (dips && -b < a), false};
         return {f(1) > 0 && (start < 0 || b < 0), false};
     }
-    if (own && !r.inside) return {false, false};
+    if (own && !r.is_inside) return {false, false};
     if (start > 0) return {dips, own};
     return {start < 0 ? a > 0 : b < 0, true};
 }

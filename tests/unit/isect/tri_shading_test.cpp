@@ -88,13 +88,13 @@ std::vector<TriReq> extremes(const Config& c) {
         r.kind = std::uint32_t(i % 13 % 4);
         r.triangle.kind = std::uint32_t(i / 13 % 3);
         if ((r.triangle.kind == 1 && !c.planes) || (r.triangle.kind == 2 && !c.spheres)) continue;
-        r.partial = c.horizon && RayKind(r.kind) == RayKind::bounce && i % 3 == 0;
+        r.is_partial = c.horizon && RayKind(r.kind) == RayKind::bounce && i % 3 == 0;
         r.triangle.a = extreme(i, n);
         r.triangle.b = extreme(i >> 3, n);
         r.triangle.c = extreme(i >> 6, n);
         r.triangle.prim = 7;
         r.self = c.spheres && i % 7 == 0 ? 7 : 0;
-        r.inside = c.spheres && i % 5 < 2;
+        r.is_inside = c.spheres && i % 5 < 2;
         if (r.triangle.kind == 2) {   // radius: zero, the largest, half the lattice
             const std::uint64_t room = i >> 3 & 1   ? (std::uint64_t(1) << (2 * n)) - 1
                                        : i >> 4 & 1 ? std::uint64_t(1) << (2 * n - 2)

@@ -46,7 +46,7 @@ Vec3i wanted(std::array<std::int64_t, 3> sum, const Config& config) {
     const std::int64_t end = std::int64_t(1) << (config.guard_dir_bits() - 1), one = std::int64_t(1)
                                                                                      << guard_bits;
     const auto fits = [&](std::int64_t v) { return -end <= 2 * v && 2 * v < end; };
-    for (int n = 0; n < most_shift && fits(sum[0]) && fits(sum[1]) && fits(sum[2]); ++n)
+    for (int n = 0; n < max_shift && fits(sum[0]) && fits(sum[1]) && fits(sum[2]); ++n)
         for (std::int64_t& v : sum) v *= 2;
     Vec3i d;
     for (std::size_t k = 0; k < 3; ++k) {

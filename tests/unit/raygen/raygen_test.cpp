@@ -74,7 +74,7 @@ void judge(const Slot& slot, const Ray& ray, const Frame& frame, const Config& c
                                 oracle::Int(slot.y) * frame.down[k];
         exact[k] = oracle::Rational(sum, oracle::Int(1) << guard_bits);
     }
-    const std::array<oracle::Int, 3> direction = oracle::filled(exact, config.dir_bits, most_shift);
+    const std::array<oracle::Int, 3> direction = oracle::filled(exact, config.dir_bits, max_shift);
     for (std::size_t k = 0; k < 3; ++k) {
         // With two levels the least number, which has no opposite, becomes one more.
         const oracle::Int least = config.has_instances() - (oracle::Int(1) << (config.dir_bits - 1)),
@@ -155,7 +155,7 @@ TEST_CASE("a reciprocal brackets the exact one for every direction of 12 bits", 
 TEMPLATE_TEST_CASE("raygen fills the bits of a direction, however short the sum is", "[raygen]",
                    Model<RaygenUnit>, Rtl<RaygenUnit>) {
     const Config config = format(GENERATE("default", "narrow", "wide"));
-    for (int free = 0; free <= most_shift + 2; ++free)
+    for (int free = 0; free <= max_shift + 2; ++free)
         for (unsigned seed = 1; seed <= 12; ++seed) {
             INFO(config.name << ", " << free << " bits free, seed " << seed);
             const Frame frame = short_camera(free, seed, config);
@@ -165,7 +165,7 @@ TEMPLATE_TEST_CASE("raygen fills the bits of a direction, however short the sum 
             stream(dut, config, paces[0], draw, 4, make_slot, [&](const Slot& slot, const Ray& ray) {
                 judge(slot, ray, frame, config);
                 const auto [x, y, z] = ray.d;
-                if (free <= most_shift)
+                if (free <= max_shift)
                     REQUIRE(std::max({std::abs(x), std::abs(y), std::abs(z)}) >= 1 << (config.dir_bits - 2));
             });
         }

@@ -77,14 +77,14 @@ std::array<oracle::Rational, 2> place_of(const Spawn& spawn, const Frame& frame,
 void judge(const Spawn& spawn, const Ray& ray, const Frame& frame, const Config& config) {
     CAPTURE(spawn.kind, spawn.x, spawn.y, spawn.sample);
     REQUIRE((ray.ray == spawn.ray && ray.kind == spawn.kind));
-    REQUIRE((ray.self == spawn.self && ray.inside == spawn.inside));
+    REQUIRE((ray.self == spawn.self && ray.is_inside == spawn.is_inside));
     const bool camera = spawn.kind == 0, shadow = spawn.kind == 2;
     const auto at = place_of(spawn, frame, config);
     std::array<oracle::Rational, 3> sum;
     for (std::size_t k = 0; k < 3; ++k)
         sum[k] = (frame.corner[k] + at[0] * frame.right[k] + at[1] * frame.down[k]) /
                  oracle::power_of_two(guard_bits);
-    const std::array<oracle::Int, 3> direction = oracle::filled(sum, config.dir_bits, most_shift);
+    const std::array<oracle::Int, 3> direction = oracle::filled(sum, config.dir_bits, max_shift);
     if (camera) REQUIRE(oracle::longest(direction) >= oracle::Int(1) << (config.dir_bits - 2));
     for (std::size_t k = 0; k < 3; ++k) {
         CAPTURE(k);
@@ -196,7 +196,7 @@ template <class Dut> void rays_of_every_kind(const Config& config) {
 }
 
 template <class Dut> void every_sample(const Config& config) {
-    for (int n = 1; n <= most_aa; ++n)
+    for (int n = 1; n <= max_aa; ++n)
         for (const bool jitter : {false, true})
             make_rays<Dut>(config, frame_of(unsigned(n), config, n, jitter), unsigned(2 * n + jitter),
                            paces[std::size_t(n % 4)], 300);

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "model/unit/isect/any.hpp"
+#include "model/unit/isect/test_primitive.hpp"
 #include "model/unit/shade/approach.hpp"
 #include "model/unit/shade/dot.hpp"
 #include "model/unit/shade/light.hpp"
@@ -120,19 +120,19 @@ TEST_CASE("a bounce from beyond the lattice starts where it enters the lattice, 
         in.state = random_state(draw, frame, c);
         ShadeState& s = in.state;
         const bool through = draw.coin();
-        s.next_event = std::uint32_t(through ? ShadeEvent::refract : ShadeEvent::reflect);
-        s.pending = 0, s.waiting = 0, s.far = 1;
+        s.next_event = through ? ShadeEvent::refract : ShadeEvent::reflect;
+        s.pending = Pending::none, s.waiting = 0, s.is_far = 1;
         aim_far(draw, frame, c, s);
         const BounceOut ray = through ? refract(c, s) : reflect(c, s);
         const PassOut out = pass(in, frame, c);
         const bool seen = ray.goes && 2 * ray.weight + 3 * (s.depth + 1) >= frame.shade.threshold;
-        const auto entry = s.lost ? std::nullopt : entry_of(s.o, ray.d, c);
-        const bool goes = seen && !s.lost && (entry || c.horizon);
+        const auto entry = s.is_lost ? std::nullopt : entry_of(s.o, ray.d, c);
+        const bool goes = seen && !s.is_lost && (entry || c.horizon);
         REQUIRE((through ? out.push : out.leave == PassOut::Leave::spawn) == goes);
         if (goes) {
             const Vec3i& o = through ? out.pushed.o : out.spawn.o;
             REQUIRE((through ? out.pushed.d : out.spawn.d) == ray.d);
-            REQUIRE((through ? out.pushed.partial : out.spawn.partial) == !entry);
+            REQUIRE((through ? out.pushed.is_partial : out.spawn.is_partial) == !entry);
             if (entry) REQUIRE(Vec3l{o[0], o[1], o[2]} == *entry);
             // Otherwise these are the nearest points of the coarse lattice, on the side on which the ray
             // leaves.
@@ -164,22 +164,22 @@ TEST_CASE("what a path sees through a pane lies in another cell, until it comes 
     for (int i = 0; i < 20000; ++i) {
         const Frame frame = random_shade_frame(draw, c);
         PassIn in = random_pass(draw, frame, c);
-        in.hit.found = 1, in.state.next_event = std::uint32_t(ShadeEvent::arrive);
+        in.hit.found = 1, in.state.next_event = ShadeEvent::arrive;
         const bool is_plane = in.surface.kind == std::uint32_t(PrimKind::plane);
         const std::uint32_t pane = is_plane ? std::uint32_t(in.surface.normal[4]) : 0;
         PassOut out = pass(in, frame, c);
-        REQUIRE(out.state.cell == in.state.cell);
-        REQUIRE(out.state.across == (in.state.cell ^ pane));
+        REQUIRE(out.state.in_cell == in.state.in_cell);
+        REQUIRE(out.state.across == (in.state.in_cell ^ pane));
 
-        in.state = out.state, in.state.next_event = std::uint32_t(ShadeEvent::refract);
+        in.state = out.state, in.state.next_event = ShadeEvent::refract;
         out = pass(in, frame, c);
-        REQUIRE(out.state.cell == in.state.cell);   // the reflected ray comes next
+        REQUIRE(out.state.in_cell == in.state.in_cell);   // the reflected ray comes next
         if (!out.push) continue;
-        REQUIRE(out.pushed.cell == (in.state.cell ^ pane));
+        REQUIRE(out.pushed.in_cell == (in.state.in_cell ^ pane));
         through_panes += pane != 0;
-        in.state = out.state, in.state.next_event = std::uint32_t(ShadeEvent::pop), in.state.waiting = 1;
+        in.state = out.state, in.state.next_event = ShadeEvent::pop, in.state.waiting = 1;
         in.top = out.pushed;
-        REQUIRE(pass(in, frame, c).state.cell == out.pushed.cell);
+        REQUIRE(pass(in, frame, c).state.in_cell == out.pushed.in_cell);
     }
     REQUIRE(through_panes > 500);
 }
@@ -195,26 +195,23 @@ TEST_CASE("shadow rays of points beyond the lattice test finite primitives unles
         PassIn in;
         in.state = random_state(draw, frame, c);
         ShadeState& s = in.state;
-        s.next_event = std::uint32_t(ShadeEvent::light), s.pending = 0, s.far = 1;
+        s.next_event = ShadeEvent::light, s.pending = Pending::none, s.is_far = 1;
         aim_far(draw, frame, c, s);
         ShadeState judged = s;
         const LightOut found = light(frame, c, judged);
         const PassOut out = pass(in, frame, c);
         const bool near = frame.shade.near[s.light] != 0,
-                   clear = frame.shade.clear[s.light] != 0 && frame.shade.cell[s.light] == s.cell;
-        const auto entry = s.lost ? std::nullopt : entry_of(s.o, found.d, c);
+                   clear = frame.shade.clear[s.light] != 0 && frame.shade.cell[s.light] == s.in_cell;
+        const auto entry = s.is_lost ? std::nullopt : entry_of(s.o, found.d, c);
         if (!found.counts || !clear) {
-            REQUIRE(
-                (out.leave == PassOut::Leave::again && out.state.pending == std::uint32_t(Pending::none)));
+            REQUIRE((out.leave == PassOut::Leave::again && out.state.pending == Pending::none));
             ++dark;
-        } else if (near ? s.lost : !entry) {
-            REQUIRE(
-                (out.leave == PassOut::Leave::again && out.state.pending == std::uint32_t(Pending::sure)));
+        } else if (near ? s.is_lost : !entry) {
+            REQUIRE((out.leave == PassOut::Leave::again && out.state.pending == Pending::sure));
             ++free;
         } else {
-            REQUIRE(
-                (out.leave == PassOut::Leave::spawn && out.state.pending == std::uint32_t(Pending::answer)));
-            REQUIRE((out.spawn.kind == std::uint32_t(RayKind::away) && out.spawn.partial == 1));
+            REQUIRE((out.leave == PassOut::Leave::spawn && out.state.pending == Pending::answer));
+            REQUIRE((out.spawn.kind == std::uint32_t(RayKind::away) && out.spawn.is_partial == 1));
             double along = 0,
                    length = 0;   // towards the point from a light that is near, else towards the light
             for (std::size_t k = 0; k < 3; ++k) {
@@ -240,9 +237,9 @@ TEST_CASE("a ray that tests finite primitives only hits no plane", "[far]") {
     for (const PrimKind kind : {PrimKind::triangle, PrimKind::plane})
         for (const RayKind of : {RayKind::shadow, RayKind::away})
             for (const std::uint32_t finite : {0u, 1u}) {
-                prim.kind = std::uint32_t(kind), ray.kind = std::uint32_t(of), ray.partial = finite;
+                prim.kind = std::uint32_t(kind), ray.kind = std::uint32_t(of), ray.is_partial = finite;
                 TriRsp out;
-                any_test(ray, prim, {}, c, out);
+                test_primitive(ray, prim, {}, c, out);
                 CHECK(out.closer == !(finite && kind == PrimKind::plane));
             }
 }

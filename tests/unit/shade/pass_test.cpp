@@ -74,13 +74,13 @@ ShadeState written(ShadeState s, std::uint32_t changes, const ShadeState& kept, 
     if (!(changes & point_group))
         s.o = kept.o, s.normal = kept.normal, s.view = kept.view, s.cosine = kept.cosine;
     if (!(changes & inner_group)) s.inner = kept.inner;
-    if (!(changes & face_group)) s.n = kept.n, s.far = kept.far, s.lost = kept.lost;
+    if (!(changes & face_group)) s.n = kept.n, s.is_far = kept.is_far, s.is_lost = kept.is_lost;
     if (!(changes & albedo_group)) s.albedo = kept.albedo;
     if (!(changes & share_group)) s.share = kept.share;
     s.diffuse = wanted.diffuse, s.highlight = wanted.highlight, s.mirror = wanted.mirror,
     s.shine = wanted.shine;
     s.transmit = wanted.transmit, s.ratio = wanted.ratio, s.schlick = wanted.schlick, s.r0 = wanted.r0;
-    s.self = wanted.self, s.inside = wanted.inside;
+    s.self = wanted.self, s.is_inside = wanted.is_inside;
     s.ambient = wanted.ambient, s.record = wanted.record;
     return s;
 }
@@ -101,7 +101,7 @@ void judge(const RtlModule& rtl, const PassIn& in, const Frame& frame, const Con
                                      seen(in.state, c), out.state);
     CAPTURE(state.next_event, out.state.next_event, state.colour, out.state.colour, state.o, out.state.o,
             state.n, out.state.n, state.normal, out.state.normal);
-    CAPTURE(state.view, out.state.view, state.cosine, out.state.cosine, state.far, out.state.far,
+    CAPTURE(state.view, out.state.view, state.cosine, out.state.cosine, state.is_far, out.state.is_far,
             state.albedo, out.state.albedo);
     CAPTURE(state.share, out.state.share, state.light, out.state.light, state.pending, out.state.pending,
             state.weight, out.state.weight);
@@ -130,7 +130,7 @@ struct MaterialBits {
 
 /// Requires that the material of a hit surface is driven when the pass begins, and only then.
 void judge_look(const RtlModule& rtl, const std::optional<PassIn>& in, const Frame& frame, const Config& c) {
-    const bool looks = in && in->state.next_event == std::uint32_t(ShadeEvent::arrive) && in->hit.found;
+    const bool looks = in && in->state.next_event == ShadeEvent::arrive && in->hit.found;
     REQUIRE(got(rtl, "material_valid")[0] == std::uint32_t(looks));
     if (!looks) return;
     REQUIRE(got(rtl, "material_ray")[0] == in->ray);
@@ -270,7 +270,7 @@ TEST_CASE("a path is as long as its rays together, rounded down and saturated", 
     for (int i = 0; i < 50000; ++i) {
         const Frame frame = i % 1000 == 0 ? random_shade_frame(draw, c) : Frame{};
         PassIn in = without_cutout(random_pass(draw, frame, c));
-        in.state.next_event = std::uint32_t(ShadeEvent::arrive), in.hit.found = 1;
+        in.state.next_event = ShadeEvent::arrive, in.hit.found = 1;
         if (draw.percent(10)) in.d[std::size_t(draw.below(3))] = -(1 << (c.dir_bits - 1));
         if (draw.percent(20)) in.d = random_corner_direction(draw, c);
         if (PrimKind(in.surface.kind) == PrimKind::plane) in.hit.t >>= 1;   // not too far away for t
@@ -330,7 +330,7 @@ TEST_CASE("a path to a plane beyond the range of t has the length of the way to 
     int long_ones = 0;
     for (int i = 0; i < 20000; ++i) {
         PassIn in = without_cutout(random_pass(draw, Frame{}, c));
-        in.state.next_event = std::uint32_t(ShadeEvent::arrive), in.hit.found = 1;
+        in.state.next_event = ShadeEvent::arrive, in.hit.found = 1;
         in.surface.kind = std::uint32_t(PrimKind::plane), in.surface.smooth = 0;
         in.hit.t = (1u << c.t_bits()) - 1;
         const ShadeState s = pass(in, Frame{}, c).state;
@@ -356,10 +356,10 @@ TEST_CASE("a sphere's request has the place of its outward normal in the octahed
         Vec3l toward{};
         for (auto& x : toward) x = draw.percent(15) ? 0 : draw.number(draw.between(2, 40));
         if (toward == Vec3l{}) continue;
-        s.normal = unit_vector(toward), s.inside = draw.percent(25);
+        s.normal = unit_vector(toward), s.is_inside = draw.percent(25);
         const auto [u, v] = octahedral(s, c);
         std::array<std::int64_t, 3> n{};
-        for (std::size_t k = 0; k < 3; ++k) n[k] = s.inside ? -s.normal[k] : s.normal[k];
+        for (std::size_t k = 0; k < 3; ++k) n[k] = s.is_inside ? -s.normal[k] : s.normal[k];
         const std::int64_t sum = std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]) + 1,
                            half = std::int64_t(1) << (c.bary_bits - 1);
         // The distance from the middle, in exact fractions rounded down: x and z on the octahedron. In the
@@ -368,7 +368,7 @@ TEST_CASE("a sphere's request has the place of its outward normal in the octahed
         const std::int64_t across = n[1] < 0 ? half - z : x, down = n[1] < 0 ? half - x : z;
         REQUIRE(std::int64_t(u) == half + (n[0] < 0 ? -across : across));
         REQUIRE(std::int64_t(v) == half + (n[2] < 0 ? -down : down));
-        lower += n[1] < 0, inside += s.inside != 0, edges += across == half || down == half;
+        lower += n[1] < 0, inside += s.is_inside != 0, edges += across == half || down == half;
         // The direction of that place is the normal, within the steps of u and v.
         const glm::dvec2 place = glm::dvec2(u, v) / double(2 * half);
         const glm::dvec3 out = glm::normalize(glm::dvec3(n[0], n[1], n[2]));
@@ -388,7 +388,7 @@ TEST_CASE("a path begins at the camera ray, and a refracted ray continues its ow
         const Frame frame = random_shade_frame(draw, c);
         const PassIn in = without_cutout(random_pass(draw, frame, c));
         const PassOut out = pass(in, frame, c);
-        const bool pops = in.state.next_event == std::uint32_t(ShadeEvent::pop);
+        const bool pops = in.state.next_event == ShadeEvent::pop;
         if (out.leave == PassOut::Leave::spawn && pops && in.state.waiting > 0) {
             REQUIRE(out.state.path == in.top.path);
             ++waited;
@@ -411,10 +411,10 @@ TEST_CASE("a texture multiplies the albedo once, and ambient light comes after i
     for (int i = 0; i < 20000; ++i) {
         const Frame frame = random_shade_frame(draw, c);
         PassIn in = random_pass(draw, frame, c);
-        in.state.pending = 0;
+        in.state.pending = Pending::none;
         const PassOut out = pass(in, frame, c);
         const ShadeState &was = in.state, &is = out.state;
-        const auto event = ShadeEvent(was.next_event);
+        const auto event = was.next_event;
         if (event == ShadeEvent::texture && (!in.hole || was.holes == 63)) {
             ++textured, last += in.hole;
             for (std::size_t k = 0; k < 3; ++k) {
@@ -451,8 +451,8 @@ TEST_CASE("a ray continues through a hole with the same direction and weight", "
     for (int i = 0; i < 20000; ++i) {
         const Frame frame = random_shade_frame(draw, c);
         PassIn in = without_cutout(random_pass(draw, frame, c));
-        in.state.next_event = std::uint32_t(ShadeEvent::texture);
-        in.state.far = in.state.lost = 0;
+        in.state.next_event = ShadeEvent::texture;
+        in.state.is_far = in.state.is_lost = 0;
         for (std::size_t k = 0; const std::int32_t x : draw_place(draw, c)) in.state.o[k++] = x;
         for (std::size_t k = 0; const std::int32_t x : draw_place(draw, c)) in.state.inner[k++] = x;
         in.hole = 1;
@@ -462,13 +462,12 @@ TEST_CASE("a ray continues through a hole with the same direction and weight", "
         const ShadeState &was = in.state, &is = out.state;
         REQUIRE(out.leave == PassOut::Leave::spawn);
         REQUIRE_FALSE(out.push);
-        REQUIRE(is.next_event == std::uint32_t(ShadeEvent::arrive));
+        REQUIRE(is.next_event == ShadeEvent::arrive);
         REQUIRE(is.holes == was.holes + 1);
         REQUIRE((is.depth == was.depth && is.weight == was.weight && is.path == was.path));
-        REQUIRE((is.cell == was.cell && is.waiting == was.waiting && is.sample == was.sample));
+        REQUIRE((is.in_cell == was.in_cell && is.waiting == was.waiting && is.sample == was.sample));
         // Earlier contributions of lights remain, but the surface adds no ambient light.
-        const bool adds = was.pending == std::uint32_t(Pending::sure) ||
-                          (was.pending == std::uint32_t(Pending::answer) && !in.hit.found);
+        const bool adds = was.pending == Pending::sure || (was.pending == Pending::answer && !in.hit.found);
         for (std::size_t k = 0; k < 3; ++k)
             REQUIRE(is.colour[k] ==
                     std::min<std::uint32_t>(was.colour[k] + (adds ? was.share[k] : 0), 1 << unit_bits));
@@ -476,7 +475,8 @@ TEST_CASE("a ray continues through a hole with the same direction and weight", "
         REQUIRE(out.spawn.kind == std::uint32_t(RayKind::bounce));
         REQUIRE(out.spawn.d == in.d);
         for (std::size_t k = 0; k < 3; ++k) REQUIRE(out.spawn.o[k] == was.o[k]);
-        REQUIRE((out.spawn.self == was.self && out.spawn.inside == was.inside && !out.spawn.partial));
+        REQUIRE(
+            (out.spawn.self == was.self && out.spawn.is_inside == was.is_inside && !out.spawn.is_partial));
         if (!c.has_homes()) continue;
         // In the mesh's space the ray starts from the point in the mesh.
         REQUIRE(out.spawn.home.line == in.placement.home());
@@ -492,12 +492,11 @@ TEST_CASE("after a cut-out in the way to a light, a pass only requests the textu
     for (int i = 0; i < 20000; ++i) {
         const Frame frame = random_shade_frame(draw, c);
         const PassIn in = random_pass(draw, frame, c);
-        const bool has_met =
-            in.state.pending == std::uint32_t(Pending::answer) && in.hit.found && in.hit.cutout;
+        const bool has_met = in.state.pending == Pending::answer && in.hit.found && in.hit.cutout;
         if (!has_met) continue;
         const PassOut out = pass(in, frame, c);
         ShadeState same = in.state;
-        same.pending = std::uint32_t(in.surface.record != 0 ? Pending::texture : Pending::none);
+        same.pending = in.surface.record != 0 ? Pending::texture : Pending::none;
         REQUIRE(out.state == same);
         REQUIRE_FALSE(out.push);
         (in.surface.record != 0 ? asked : plain)++;
@@ -518,13 +517,13 @@ TEST_CASE("a pass tests a light again behind a hole, and a cut-out without a hol
     for (int i = 0; i < 40000; ++i) {
         const Frame frame = random_shade_frame(draw, c);
         PassIn in = random_pass(draw, frame, c);
-        if (in.state.pending != std::uint32_t(Pending::texture)) continue;
+        if (in.state.pending != Pending::texture) continue;
         const PassOut out = pass(in, frame, c);
         if (in.hole && in.state.light_holes < 63) {
             // The same as the pass of that light, except for the count.
             PassIn first = in;
-            first.state.pending = 0, first.state.light_holes = 0, first.state.light -= 1;
-            first.state.next_event = std::uint32_t(ShadeEvent::light);
+            first.state.pending = Pending::none, first.state.light_holes = 0, first.state.light -= 1;
+            first.state.next_event = ShadeEvent::light;
             PassOut wanted = pass(first, frame, c);
             wanted.state.light_holes = in.state.light_holes + 1;
             REQUIRE(out.state == wanted.state);
@@ -537,7 +536,7 @@ TEST_CASE("a pass tests a light again behind a hole, and a cut-out without a hol
         } else {
             ++hidden, last += in.hole;
             PassIn next = in;   // the same as after a blocked light
-            next.state.pending = 0, next.state.light_holes = 0;
+            next.state.pending = Pending::none, next.state.light_holes = 0;
             const PassOut wanted = pass(next, frame, c);
             REQUIRE(out.state == wanted.state);
             REQUIRE(out.leave == wanted.leave);
@@ -553,9 +552,9 @@ TEST_CASE("a bounce, a waiting ray and a sample each restart the count of holes"
     for (int i = 0; i < 30000; ++i) {
         const Frame frame = random_shade_frame(draw, c);
         const PassIn in = without_cutout(random_pass(draw, frame, c));
-        if (in.state.next_event == std::uint32_t(ShadeEvent::texture)) continue;
+        if (in.state.next_event == ShadeEvent::texture) continue;
         const PassOut out = pass(in, frame, c);
-        const bool is_light = in.state.next_event == std::uint32_t(ShadeEvent::light);
+        const bool is_light = in.state.next_event == ShadeEvent::light;
         if (out.leave != PassOut::Leave::spawn || is_light) {
             REQUIRE(out.state.holes == in.state.holes);
             ++kept;
@@ -563,9 +562,7 @@ TEST_CASE("a bounce, a waiting ray and a sample each restart the count of holes"
         }
         REQUIRE(out.state.holes == 0);
         if (in.state.holes == 0) continue;
-        (in.state.next_event == std::uint32_t(ShadeEvent::reflect) ? reflected
-         : in.state.waiting > 0                                    ? popped
-                                                                   : samples)++;
+        (in.state.next_event == ShadeEvent::reflect ? reflected : in.state.waiting > 0 ? popped : samples)++;
     }
     CAPTURE(reflected, popped, samples, kept);
     CHECK((reflected > 100 && popped > 100 && samples > 100 && kept > 3000));
@@ -578,7 +575,7 @@ TEST_CASE("a pixel keeps the hit of its first camera ray, not one behind a hole"
     for (int i = 0; i < 30000; ++i) {
         const Frame frame = random_shade_frame(draw, c);
         PassIn in = without_cutout(random_pass(draw, frame, c));
-        in.state.next_event = std::uint32_t(ShadeEvent::arrive);
+        in.state.next_event = ShadeEvent::arrive;
         if (draw.coin()) in.state.depth = in.state.sample = 0;
         const ShadeState& was = in.state;
         const ShadeState is = pass(in, frame, c).state;

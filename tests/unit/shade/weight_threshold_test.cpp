@@ -53,7 +53,7 @@ Bounced bounced(const Chip& chip, const Frame& frame, const Surface& s, std::uin
     PassIn in;
     ShadeState& state = in.state;
     state = fresh_state(0, 0);
-    state.next_event = std::uint32_t(way == Way::refracted ? ShadeEvent::refract : ShadeEvent::reflect);
+    state.next_event = way == Way::refracted ? ShadeEvent::refract : ShadeEvent::reflect;
     state.weight = weight, state.depth = depth;
     state.mirror = s.mirror, state.transmit = s.transmit, state.ratio = s.enter,
     state.total = way == Way::total;

@@ -94,7 +94,7 @@ TEST_CASE("box gives the same answers with and without wide vector instructions"
         Draw draw{2};
         for (int i = 0; i < 3000; ++i) {
             const BoxCase c = random_box_case(draw, config);
-            const BoxRsp fast = box(c.req, config), plain = box(c.req, config, box_children_plain);
+            const NodeAnswer fast = box(c.req, config), plain = box(c.req, config, box_children_plain);
             REQUIRE(same(fast, plain, config));
             if (i % 10 == 0) judge(c, plain, config);
         }

@@ -79,9 +79,9 @@ void require_recorded_as_walked(const Picture& p, RecordRayFunction* record, con
                 pixel.insert(pixel.end(), words.begin(), words.end());
                 shader.arrived(hit);
                 const std::uint32_t line =
-                    shader.wants_surface() ? shader.surface_line() | Trace::surface_flag : 0;
+                    shader.wants_surface() ? shader.surface_line() | EndWord::line_flag : 0;
                 const int passes = shader.run();
-                pixel.push_back(line | (shader.is_finished() ? Trace::pixel_flag : purpose_word(shader)));
+                pixel.push_back(line | (shader.is_finished() ? EndWord::pixel_flag : purpose_word(shader)));
                 pixel.push_back(std::uint32_t(passes));
                 spawn = shader.spawn();
             } while (!shader.is_finished());

@@ -21,12 +21,12 @@ RayTrace read_ray(const std::uint32_t* at) {
         const std::uint32_t head = *at++;
         ray.words.push_back(head);
         ++ray.visits;
-        ray.dropped_groups += head >> Trace::dropped_shift;
-        end = head & Trace::end_flag;
-        for (bool more = head & Trace::tests_flag; more;) {
+        ray.dropped_groups += head >> VisitWord::dropped_shift;
+        end = head & VisitWord::end_flag;
+        for (bool more = head & VisitWord::tests_flag; more;) {
             ray.words.push_back(*at);
             ++ray.tests;
-            more = !(*at++ & Trace::last_flag);
+            more = !(*at++ & TestWord::last_flag);
         }
     }
     return ray;
@@ -68,7 +68,7 @@ TEST_CASE("a trace's sums are those of its rays, and every ray begins at the roo
     std::uint64_t visits = 0, tests = 0, dropped_groups = 0;
     for (const std::uint32_t* at : trace.rays) {
         const RayTrace ray = read_ray(at);
-        REQUIRE((ray.words[0] & Trace::node_mask) == job.frame.root);
+        REQUIRE((ray.words[0] & trace_line_mask) == job.frame.root);
         visits += ray.visits;
         tests += ray.tests;
         dropped_groups += ray.dropped_groups;

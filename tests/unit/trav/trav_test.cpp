@@ -67,7 +67,7 @@ void lockstep(const Config& config, unsigned seed, const Pace& pace, int cycles)
 
 /// A node's inner children, and list's answer after it tested the leaf.
 struct Visit {
-    BoxRsp boxes;
+    NodeAnswer boxes;
     Tested tested;
 };
 
@@ -77,7 +77,7 @@ template <class Dut> struct Hand {
     explicit Hand(const Config& config) : dut{frame_at(9), config} {
         dut.node_req.ready = dut.done.ready = dut.box_req.ready = true;
     }
-    TravLinks cycle(std::optional<BoxRsp> boxes = {}, std::optional<Tested> tested = {}) {
+    TravLinks cycle(std::optional<NodeAnswer> boxes = {}, std::optional<Tested> tested = {}) {
         dut.box_rsp.offer = boxes;
         dut.tested.offer = tested;
         dut.eval();
@@ -116,7 +116,7 @@ template <class Dut> struct Hand {
 Visit visit_of(std::uint32_t ray, std::uint32_t t_best, std::initializer_list<std::uint32_t> nears,
                std::uint32_t base = 100) {
     Visit visit{{}, {ray, 0, t_best}};
-    BoxRsp& boxes = visit.boxes;
+    NodeAnswer& boxes = visit.boxes;
     boxes.ray = ray;
     boxes.base = base;
     for (const std::uint32_t near : nears) {
@@ -130,8 +130,8 @@ Visit visit_of(std::uint32_t ray, std::uint32_t t_best, std::initializer_list<st
 }
 
 /// Returns a single leaf at that distance.
-BoxRsp leaf_at(std::uint32_t ray, std::uint32_t near) {
-    BoxRsp boxes;
+NodeAnswer leaf_at(std::uint32_t ray, std::uint32_t near) {
+    NodeAnswer boxes;
     boxes.ray = ray;
     boxes.leaves = boxes.count[0] = 1;
     boxes.t_near[0] = near;
@@ -243,7 +243,7 @@ TEMPLATE_TEST_CASE("trav sends a node's leaves to list immediately if the neares
     Hand<TestType> hand{config};
     hand.start(2);
     TravLinks seen = hand.cycle();
-    BoxRsp boxes = visit_of(2, 0, {5, 6}, 300).boxes;   // two inner children, then three leaves
+    NodeAnswer boxes = visit_of(2, 0, {5, 6}, 300).boxes;   // two inner children, then three leaves
     boxes.leaves = 3;
     for (std::uint32_t i = 0; i < 3; ++i) {
         boxes.t_near[2 + i] = 10 + i;
@@ -317,7 +317,7 @@ TEMPLATE_TEST_CASE("trav's rays that are tested go before those without leaves",
     for (std::uint32_t ray = 0; ray < 4; ++ray) hand.start(ray);
     for (int i = 0; i < 5; ++i) hand.cycle();
     const auto children = [](std::uint32_t ray) {
-        BoxRsp boxes = visit_of(ray, 0, {5}, 100 * ray).boxes;
+        NodeAnswer boxes = visit_of(ray, 0, {5}, 100 * ray).boxes;
         boxes.leaves = boxes.count[1] = 0;
         return boxes;
     };

@@ -10,7 +10,7 @@ namespace {
 
 struct BihUnit : NodeTestUnit<engine::Bih> {
     static constexpr const char* name = "rc_bih";
-    static BoxRsp answer(const BihReq& req, const Frame&, const Config& c) { return bih_answer(req, c); }
+    static NodeAnswer answer(const BihReq& req, const Frame&, const Config& c) { return bih_answer(req, c); }
 };
 
 struct BihCase {
@@ -59,7 +59,7 @@ ExitTimes exit_times(const BihCase& c, std::size_t exit, const Config& config) {
         });
     });
 }
-void judge(const BihCase& c, const BoxRsp& rsp, const Config& config) {
+void judge(const BihCase& c, const NodeAnswer& rsp, const Config& config) {
     rayclock::test::judge(c, c.req.node, rsp, config);   // finds exit_times() above by its argument
 }
 

@@ -63,7 +63,7 @@ TEST_CASE("a ray in a plane is on both of its sides, one from a plane only on th
     Config config = bsp_format("default");
     config.node_width = 2;
     const auto exits = [&](const Vec3i& o, const Vec3i& d) {
-        const BoxRsp rsp = slant(one_plane({3, -5, 7}, 5, o, d, config).req, config);
+        const NodeAnswer rsp = slant(one_plane({3, -5, 7}, 5, o, d, config).req, config);
         return rsp.inner + 2 * rsp.leaves;   // the upper exit is an inner one
     };
     CHECK(exits({0, -1, 0}, {5, 3, 0}) == 3);

@@ -34,7 +34,7 @@ BoxVerdict try_rtl(const Config& config, const BoxSpace& space) {
         cases.push_back(requests.next());
         return cases.back().req;
     };
-    pour(rtl, requests.size(), make, [&](const BoxReq& req, const BoxRsp& rsp) {
+    pour(rtl, requests.size(), make, [&](const BoxReq& req, const NodeAnswer& rsp) {
         if (!same(box(req, config), rsp, config)) {
             CAPTURE(req.o, cases.front().d, req.node.org, req.node.exp, req.node.lo, req.node.hi);
             FAIL("model and RTL differ");
@@ -165,7 +165,7 @@ TEMPLATE_TEST_CASE("box does not mind a zero component that is called negative",
             return req;
         };
         std::uint64_t met = 0, wrong = 0;
-        pour(dut, requests.size(), make, [&](BoxReq req, const BoxRsp& rsp) {
+        pour(dut, requests.size(), make, [&](BoxReq req, const NodeAnswer& rsp) {
             req.neg = {};
             wrong += !same(box(req, one_axis), rsp, one_axis);
             met += rsp.inner;

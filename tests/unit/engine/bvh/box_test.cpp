@@ -20,7 +20,7 @@ template <class Dut> void against_oracle(const char* name, unsigned seed, const 
             cases.push_back(random_box_case(from, config));
             return cases.back().req;
         },
-        [&](const BoxReq&, const BoxRsp& rsp) {
+        [&](const BoxReq&, const NodeAnswer& rsp) {
             judge(cases.front(), rsp, config);
             cases.pop_front();
         });
@@ -118,7 +118,7 @@ TEST_CASE("box sees a ray that starts on a face or inside at distance 0", "[box]
                     c.req.o = {x, y, z};
                     set_direction(c, {(way % 3 - 1) * 700, (way / 3 % 3 - 1) * 1, (way / 9 - 1) * -2048},
                                   config);
-                    const BoxRsp rsp = box(c.req, config);
+                    const NodeAnswer rsp = box(c.req, config);
                     REQUIRE(rsp.inner == 1);
                     REQUIRE(rsp.t_near[0] == 0);
                 }

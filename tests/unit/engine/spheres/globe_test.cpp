@@ -64,7 +64,7 @@ TEST_CASE("globe is right for every small ray, from everywhere around a globe an
                                  config.shading ? RayKind::bounce : RayKind::camera);
                 const GlobeRay ray = globe_ray(c.ray, config);
                 c.req.o = ray.o, c.req.toward = ray.toward, c.req.len = ray.len;
-                const BoxRsp rsp = globe(c.req, config);
+                const NodeAnswer rsp = globe(c.req, config);
                 for (std::size_t i = 0; i < 2; ++i) {
                     const GlobeSight exact = sight_of(c, i, config);
                     if (!exact.is_met()) continue;

@@ -1,5 +1,5 @@
 // Writes the page of the study of processor clocks.
-#include "sim/study/gigahertz/page.hpp"
+#include "sim/study/gigahertz/gigahertz_page.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // Builds the page of one pixel from its explanation.
-#include "sim/view/explain/page.hpp"
+#include "sim/view/explain/explain_page.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Formats the result of fit as tables and as JSON.
-#include "sim/explore/fit/report.hpp"
+#include "sim/explore/fit/fit_report.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,6 @@
 // Parses typed values.
+#include "sim/app/run/typed_values.hpp"
+
 #include <charconv>
 #include <cmath>
 
@@ -7,7 +9,6 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/split.hpp"
-#include "sim/app/options/options.hpp"
 
 namespace rayclock {
 

@@ -1,16 +1,16 @@
 // Writes the page of one simulated frame: viewer, key figures, sections, tables and downloads.
-#include "sim/view/page/page.hpp"
+#include "sim/view/page/run_page.hpp"
 
 #include <fmt/format.h>
 
 #include "model/machine/links.hpp"
-#include "sim/files/table.hpp"
 #include "sim/files/image/image.hpp"
-#include "sim/view/report/accounts.hpp"
+#include "sim/files/table.hpp"
 #include "sim/view/page/data.hpp"
 #include "sim/view/page/frame.hpp"
 #include "sim/view/page/html.hpp"
 #include "sim/view/page/tables.hpp"
+#include "sim/view/report/accounts.hpp"
 
 namespace rayclock {
 
@@ -121,7 +121,7 @@ nlohmann::ordered_json explanations_json(const PageInput& input) {
     return html::base64(html::deflated(texts.dump()));
 }
 
-/// Returns the units that decide nodes, for the scripts. They have one place and one colour.
+/// Returns the node units, for the scripts. They have one place and one colour.
 std::string node_units_script() {
     std::string names;
     for (const NodeUnit& u : node_units) names += fmt::format("\"{}\",", unit_name(u.unit));

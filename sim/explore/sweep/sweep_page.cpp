@@ -1,12 +1,12 @@
 // Builds the page of a sweep.
-#include "sim/explore/sweep/page.hpp"
+#include "sim/explore/sweep/sweep_page.hpp"
 
 #include <fmt/format.h>
 
 #include "model/base/split.hpp"
+#include "sim/explore/sweep/table.hpp"
 #include "sim/view/page/frame.hpp"
 #include "sim/view/page/html.hpp"
-#include "sim/explore/sweep/table.hpp"
 
 namespace rayclock::sweep {
 

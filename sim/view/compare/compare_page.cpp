@@ -6,8 +6,8 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
-#include "sim/view/compare/compare.hpp"
 #include "sim/files/table.hpp"
+#include "sim/view/compare/compare.hpp"
 #include "sim/view/page/frame.hpp"
 #include "sim/view/page/html.hpp"
 

@@ -1,5 +1,5 @@
 // Formats the results of a stress run.
-#include "sim/explore/stress/report.hpp"
+#include "sim/explore/stress/stress_report.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Formats a divergence as an HTML page.
-#include "sim/view/divergence/page.hpp"
+#include "sim/view/divergence/divergence_page.hpp"
 
 #include <algorithm>
 #include <filesystem>

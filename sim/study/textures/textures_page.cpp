@@ -1,5 +1,5 @@
 // Writes the page of the study of textures.
-#include "sim/study/textures/page.hpp"
+#include "sim/study/textures/textures_page.hpp"
 
 #include <algorithm>
 #include <cctype>

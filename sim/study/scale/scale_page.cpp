@@ -1,5 +1,5 @@
 // Writes the page of the study of scale.
-#include "sim/study/scale/page.hpp"
+#include "sim/study/scale/scale_page.hpp"
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 #include <tbb/task_arena.h>
 
-#include "sim/files/process/threads.hpp"
+#include "sim/files/process/parallel.hpp"
 #include "sim/files/table.hpp"
 
 namespace rayclock::scale {
@@ -100,7 +100,7 @@ std::string page(const Figures& figures, const Study& study, const std::string& 
         "series has the exponent p of the power law that fits each column best: the time grows as the p-th "
         "power of the size. For n log n from ten thousand to ten million, p is 1.08.\n\n![The cost of a "
         "frame against triangles and pixels]({}.svg)\n\n",
-        command, jobs::threads_of(study.threads), study.config.name,
+        command, parallel::threads_of(study.threads), study.config.name,
         study.config.set.empty() ? std::string()
                                  : fmt::format(" with `{}`", fmt::join(study.config.set, " ")),
         picture);

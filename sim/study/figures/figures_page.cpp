@@ -1,5 +1,5 @@
 // Collects the text, files and numbers of a page of figures.
-#include "sim/study/figures/page.hpp"
+#include "sim/study/figures/figures_page.hpp"
 
 #include <cmath>
 #include <filesystem>

@@ -1,13 +1,13 @@
 // Formats results of chips as text and as JSON.
-#include "sim/silicon/chip/report.hpp"
+#include "sim/silicon/chip/chip_report.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "sim/files/table.hpp"
 #include "sim/silicon/area/variants.hpp"
 #include "sim/silicon/chip/cells.hpp"
 #include "sim/silicon/chip/nextpnr.hpp"
-#include "sim/files/table.hpp"
 #include "sim/silicon/synth/yosys.hpp"
 
 namespace rayclock::chip {

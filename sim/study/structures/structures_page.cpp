@@ -1,5 +1,5 @@
 // Writes docs/measured/structures.md from measurements. The comparisons and the causes are in reasons.cpp.
-#include "sim/study/structures/page.hpp"
+#include "sim/study/structures/structures_page.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "model/base/quote.hpp"
-#include "sim/view/report/text.hpp"
 #include "sim/explore/sweep/front.hpp"
 #include "sim/silicon/synth/yosys.hpp"
+#include "sim/view/report/text.hpp"
 
 namespace rayclock::structures {
 

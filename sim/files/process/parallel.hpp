@@ -7,7 +7,7 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
-namespace rayclock::jobs {
+namespace rayclock::parallel {
 
 /// Returns the number of threads to use: `asked`, but at most the number of cores. 0 means one per core.
 inline int threads_of(int asked) {
@@ -51,4 +51,4 @@ template <class Piece> void for_each(std::size_t count, int threads, Piece piece
         threads, [&](std::size_t i) { return i < count; }, make, [](std::size_t) {});
 }
 
-}   // namespace rayclock::jobs
+}   // namespace rayclock::parallel

@@ -1,5 +1,5 @@
 // Tests of planes and spheres, and of secondary rays, for a chip that shades.
-#include "model/unit/isect/any.hpp"
+#include "model/unit/isect/test_primitive.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -52,11 +52,11 @@ bool leaves_surface(const Ray& ray, const Config& config) {
 }
 
 /// True if the ray begins beyond the lattice, and so meets only planes.
-bool is_far(const Ray& ray) { return ray.partial && !ends_at_any(ray.kind); }
+bool is_far(const Ray& ray) { return ray.is_partial && !ends_at_any(ray.kind); }
 
 /// Tests any ray against a triangle or plane.
 void flat_test(const Ray& ray, const PrimData& prim, const Best& best, const Config& config, TriRsp& out) {
-    if (ray.partial && ends_at_any(ray.kind) == (PrimKind(prim.kind) == PrimKind::plane)) return;
+    if (ray.is_partial && ends_at_any(ray.kind) == (PrimKind(prim.kind) == PrimKind::plane)) return;
     const bool shadow = RayKind(ray.kind) == RayKind::shadow;
     const int frac = config.origin_frac() - (is_far(ray) ? far_drop : 0),
               scale = leaves_surface(ray, config) ? frac : 0;
@@ -109,7 +109,7 @@ bool shades(const Ray& ray, const PrimData& sphere, const Config& config) {
     const Meeting m = meeting(ray, sphere, 0, config);
     const bool from_outside = m.power > 0;
     const bool seen_inside = is_seen_inside(sphere);
-    if (sphere.prim == ray.self) return seen_inside && ray.inside != 0 && from_outside;
+    if (sphere.prim == ray.self) return seen_inside && ray.is_inside != 0 && from_outside;
     const Wide unit = Wide(1) << config.origin_frac();
     // |O - c|^2 minus the squared radius.
     const Wide end = m.square + 2 * m.along * unit + m.power * unit * unit;
@@ -129,7 +129,7 @@ void sphere_test(const Ray& ray, const PrimData& sphere, const Best& best, const
     const Meeting m = meeting(ray, sphere, scale, config);
     const bool own =
         leaves_surface(ray, config) && RayKind(ray.kind) != RayKind::camera && sphere.prim == ray.self;
-    if (own && !ray.inside) return;
+    if (own && !ray.is_inside) return;
     const bool outside = m.power > 0, far = own || !outside;
     if (far && !is_seen_inside(sphere)) return;
     if (outside ? m.along >= 0 || m.disc < 0 : m.power < 0 ? m.square == 0 : m.along >= 0) return;
@@ -171,7 +171,8 @@ Root root(WideNatural square) {
     return r;
 }
 
-void any_test(const Ray& ray, const PrimData& prim, const Best& best, const Config& config, TriRsp& out) {
+void test_primitive(const Ray& ray, const PrimData& prim, const Best& best, const Config& config,
+                    TriRsp& out) {
     no_hit(out);
     const PrimKind kind = config.has_kinds() ? PrimKind(prim.kind) : PrimKind::triangle;
     if (kind == PrimKind::sphere) return sphere_test(ray, prim, best, config, out);

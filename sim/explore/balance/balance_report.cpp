@@ -1,5 +1,5 @@
 // Formats the result of a search as text and as JSON.
-#include "sim/explore/balance/report.hpp"
+#include "sim/explore/balance/balance_report.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
