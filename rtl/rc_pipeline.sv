@@ -3,7 +3,8 @@
 //
 // It accepts tiles of the picture and returns one hit per pixel, in the order in which rays end. It
 // reads nodes and primitives through two caches. A chip that shades reads surfaces through a third
-// cache. A chip for ray streams gets its rays from memory, through a third cache as well.
+// cache, and textures through a fourth. A chip for ray streams gets its rays from memory, through a
+// third cache as well.
 // Memory answers by id, in any order. The user holds frame_i while rays are in flight.
 // Model: model/machine/pipeline.hpp.
 `default_nettype none

@@ -18,7 +18,7 @@ module rc_power #(
   localparam int unsigned LogW   = 30;
   localparam int unsigned ExpW   = 28;
 
-  // turn: the cycle of each stage. ends[i]: a power leaves stage i.
+  // phase: the cycle of each stage. ends[i]: a power leaves stage i.
   logic [Stages*Every-1:0] phase;
   logic [Stages-1:0]       ends;
 

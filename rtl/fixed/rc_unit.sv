@@ -18,7 +18,7 @@ module rc_unit #(
   localparam int unsigned LengthW = $clog2(VectorW + 1);   // bits of a component's length
   localparam int unsigned EntryW  = 29;
 
-  // turn: the cycle of each stage. ends[i]: a vector leaves stage i.
+  // phase: the cycle of each stage. ends[i]: a vector leaves stage i.
   logic [Stages*Every-1:0] phase;
   logic [Stages-1:0]       ends;
 

@@ -1,5 +1,5 @@
-// Non-blocking, set-associative cache of read-only memory: the common part of rc_node_cache,
-// rc_prim_cache, rc_surf_cache and rc_l2.
+// Non-blocking, set-associative cache of read-only memory: the common part of all caches and of
+// rc_stream.
 //
 // A request waits in a queue of two. The head of the queue is looked up, one request per cycle:
 // - A hit is answered 3 cycles after the request was accepted.

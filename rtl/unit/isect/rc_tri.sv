@@ -5,9 +5,9 @@
 // model files have the formulas, tie rules and proven widths. A triangle seen edge-on never hits.
 //
 // If the chip shades, rays have several kinds, and primitives include planes and spheres
-// (model/unit/isect/any.hpp). For a ray from or to a light the answer is only whether the primitive
-// is in its way. Spheres have their own pipeline, rc_sphere, which is longer; the others' answers
-// wait for it.
+// (model/unit/isect/test_primitive.hpp). For a ray from or to a light the answer is only whether
+// the primitive is in its way. Spheres have their own pipeline, rc_sphere, which is longer; the
+// others' answers wait for it.
 //
 // Latency rc_pkg::TriLatency + 1 (result queue), throughput 1 every rc_pkg::TriInterval cycles,
 // answers in order. With an interval above 1, products share multipliers, and steps of a division

@@ -3,7 +3,7 @@
 //
 // Stages count like the unit's valid bits. A node's ray, base and kinds come with stage In. The
 // children that are met, and their distances, come with stage Latency - RankStages - 1. Model:
-// box_answer() in model/engine/node_answer.hpp.
+// node_answer() in model/engine/node_answer.hpp.
 `default_nettype none
 module rc_node_answer #(
   parameter  int unsigned Latency = rc_pkg::BoxLatency,   // of the unit, without its queue

@@ -5,7 +5,7 @@
 // rc_pkg::RankStages later.
 //
 // It is a bitonic network (Batcher 1968), with six levels for eight children. A relaxed chip has
-// three levels in a stage, a fast chip one. Model: box_answer() in
+// three levels in a stage, a fast chip one. Model: node_answer() in
 // model/engine/node_answer.cpp.
 `default_nettype none
 module rc_rank #(
