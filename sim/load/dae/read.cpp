@@ -16,7 +16,7 @@
 namespace rayclock {
 namespace {
 
-constexpr int max_node_depth = 500;   // visit() is recursive
+constexpr int max_nesting = 500;   // visit() is recursive
 
 /// The id of a symbol's material. `sets`: the set of coordinates for each name that its pictures use.
 struct Binding {
@@ -67,8 +67,8 @@ private:
     };
 
     void visit(const XmlElement& node, glm::dmat4 place, int depth) {
-        if (depth > max_node_depth)
-            document_.refuse(node, fmt::format("nodes are nested deeper than {}", max_node_depth));
+        if (depth > max_nesting)
+            document_.refuse(node, fmt::format("nodes are nested deeper than {}", max_nesting));
         // A node may be instanced many times. Each visit reads it and lists its geometries, so charge every
         // visit.
         std::uint64_t cost = sizeof(Copy) * (1 + node.children.size());
