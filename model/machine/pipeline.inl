@@ -91,7 +91,7 @@ template <Pipeline::RayFeed feed> [[gnu::always_inline]] inline void Pipeline::a
     codes.raygen = raygen_hold_left_ > 0 ? busy_code : raygen_codes[std::size_t(asked + begun)];
     codes.trav = trav_codes[turn + 2 * free];
     codes.node_unit = node_unit_code(m, false);
-    codes.list = m[Link::leaves].fires | m[Link::tri_rsp].fires ? busy_code : list_starved;
+    codes.list = (m[Link::leaves].fires | m[Link::tri_rsp].fires) ? busy_code : list_starved;
     codes.tri =
         tri_hold_left_ > 0
             ? busy_code
