@@ -130,7 +130,7 @@ constexpr bool is_node_answer(Link link) {
         if (u.rsp == link) return true;
     return false;
 }
-/// Returns the node unit of an engine; that of bvh if there are no nodes.
+/// Returns the node unit of an engine. Without nodes it is the unit of bvh, whose links are then idle.
 constexpr NodeUnit node_unit(Structure engine) {
     switch (engine) {
 #define RAYCLOCK_CASE(with, structure, unit, Engine) \

@@ -164,7 +164,8 @@ TEST_CASE("glTF: orthographic cameras and spot lights are reported") {
                               "1 spot light drawn as a point light ('nodes[2]')"});
 }
 
-TEST_CASE("glTF: colours of vertices multiply that of the material, by faces") {
+TEST_CASE(
+    "glTF: vertex colours multiply the colour of the material, and a face gets the mean of its corners") {
     Animated file;
     std::vector<float> colours;
     for (int v = 0; v < 6; ++v)   // 0, 2 and 4 are red: the first triangle

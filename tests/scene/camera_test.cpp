@@ -216,7 +216,7 @@ TEST_CASE("scenes and aspects that no camera can fit are refused", "[scene][came
     CHECK(refusal([&] { fit_camera(scene, infinite); }) == "a picture cannot have the aspect inf");
 }
 
-TEST_CASE("the camera of every built-in scene sees something in the middle of it", "[scene][camera]") {
+TEST_CASE("the camera of every built-in scene has the scene in its picture", "[scene][camera]") {
     for (const Builtin& b : builtins()) {
         CAPTURE(b.name);
         const Scene scene = b.make(1);
