@@ -83,6 +83,8 @@ int load_scene_on_board(const BoardOptions& o) {
     const std::string name = ask.request.scene.name;
     BoardSession session(o, ask.request.config, ask.khz, std::move(ask.port));
     Film film(std::move(ask.request), o.frames, o.view.is_given(), ask.size, progress);
+    if (film.frames() > 1)
+        throw UserError("--frames: load writes the scene of one frame; check draws the frames of a film");
     film.next();
     const Stopwatch watch;
     std::uint64_t done = 0;

@@ -34,8 +34,7 @@ struct TraceOptions {
 void declare_trace(Parser& parser, TraceOptions& o) {
     scene_option(parser, o.scene).required();
     parser.option("--cycles", o.cycles, "cycles of the frame, FIRST:LAST, LAST excluded");
-    parser.option("--pixels", o.pixels,
-                  "a pixel X,Y, or a rectangle X,Y..X,Y, both corners included, or X,Y,WIDTHxHEIGHT");
+    parser.option("--pixels", o.pixels, (std::string("only these pixels, ") + pixels_forms).c_str());
     parser.option("--rays", o.rays,
                   "only rays of these kinds, separated by commas: camera, shadow, reflection, refraction");
     parser

@@ -22,6 +22,7 @@
 #include "sim/files/image/golden.hpp"
 #include "sim/files/process/stopping.hpp"
 #include "sim/judge/cause/finished.hpp"
+#include "sim/run/film/choice.hpp"
 #include "sim/run/request/reference_picture.hpp"
 #include "sim/run/rtl/builder.hpp"
 #include "sim/view/divergence/divergence.hpp"
@@ -99,15 +100,13 @@ GoldenResult golden_result(const std::string& spec, const Scene& scene, const Co
     return check_golden(folder, scene.name, shade(scene, run_model(job).hits), config.coord_bits);
 }
 
-/// Returns the smallest rectangle with all pixels that are in the chip in these cycles of the whole picture's
-/// last frame.
-PixelRect pixels_of_cycles(const VerifyOptions& o, const Request& request, FrameSize whole, int khz,
-                           Traffic traffic, const Progress& progress) {
-    const CycleRange range = parse_cycles(*o.cycles);
-    Film film(request, o.frames, o.view.is_given(), whole, stopping({}));
+/// Returns the smallest rectangle with all pixels that are in the chip in these cycles of the film's last
+/// frame. The film draws the whole picture.
+PixelRect pixels_of_cycles(const VerifyOptions& o, Film film, CycleRange range, int khz, Traffic traffic,
+                           const Progress& progress) {
     std::vector<RecordedFrame> traces;
-    record_film(film, {o.threads, {}, false}, stopping({}), traces);
-    const FrameCosts costs = observe(request.config, khz, traces, traffic, 0, nullptr, progress);
+    record_film(film, {o.threads, {}, false}, stopping(progress), traces);
+    const FrameCosts costs = observe(film.request().config, khz, traces, traffic, 0, nullptr, progress);
     if (costs.partial) throw Interrupted("interrupted: nothing was compared");
     if (range.first >= costs.cycles)
         throw UserError(fmt::format("--cycles: the frame ends after {} cycles, before {} begins",
@@ -336,6 +335,9 @@ nlohmann::ordered_json json_of(const VerifyOptions& o, const VerifyPlan& work, c
 int run_verify(const VerifyOptions& typed) {
     VerifyOptions o = typed;
     take_elastic(o.elastic, o.scene);
+    if (o.torture && (o.pixels || o.cycles))
+        throw UserError(fmt::format("--torture runs frames of its own, so {} has no meaning here",
+                                    o.pixels ? "--pixels" : "--cycles"));
     if (o.torture && (o.elastic.is_given() || o.elastic.alone))
         throw UserError(fmt::format("--torture runs in lockstep, so {} has no meaning here",
                                     o.elastic.alone ? "--unit-only" : "--elastic"));
@@ -345,7 +347,7 @@ int run_verify(const VerifyOptions& typed) {
                               : o.netlist            ? "--netlist"
                               : !o.output.empty()    ? "--output"
                               : o.no_wave            ? "--no-wave"
-                              : o.frames.is_given()  ? "an option of films"
+                              : o.frames.is_given()  ? "an option for several frames"
                               : o.pixels             ? "--pixels"
                               : o.cycles             ? "--cycles"
                               : o.traffic.jitter > 0 ? "--jitter"
@@ -371,11 +373,11 @@ int run_verify(const VerifyOptions& typed) {
     if (o.torture) return run_torture_set(o.json);
     if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
     const Stopwatch watch;
-    ViewChoice view = o.view;
-    FrameSize size = parse_part(o.size, o.pixels, view);
     if (o.pixels && o.cycles)
         throw UserError("--pixels and --cycles both choose a part of the picture: give one");
-    if (o.cycles) parse_cycles(*o.cycles);   // refuses wrong ones early
+    const std::optional<CycleRange> cycles = o.cycles ? std::optional(parse_cycles(*o.cycles)) : std::nullopt;
+    ViewChoice view = o.view;
+    FrameSize size = parse_part(o.size, o.pixels, view);
     const std::vector<int> clocks = parse_clocks(o.clock);
     const Traffic traffic = traffic_of(o.traffic);
     o.json.check();
@@ -389,14 +391,21 @@ int run_verify(const VerifyOptions& typed) {
     if (!o.output.empty())
         check_picture_folder(o.output, {"reference.png", "model.png", "rtl.png", "difference.png"});
     if (!o.output.empty() && !o.no_wave) check_divergence_folder(o.output);
-    if (o.cycles) {
-        const PixelRect rect = pixels_of_cycles(o, request, size, clocks[0], traffic, progress);
+    o.frames = settled_frames(o.frames, request.scene);
+    const auto check_film = [&](const Film& film) {
+        if (!o.output.empty() && film.frames() > 1 && film.moves())
+            check_film_folder(o.output, film.frames());
+    };
+    if (cycles) {
+        Film whole(request, o.frames, o.view.is_given(), size, stop);
+        check_film(whole);
+        const PixelRect rect = pixels_of_cycles(o, std::move(whole), *cycles, clocks[0], traffic, progress);
         request.scene.camera->window = PictureWindow{rect.x, rect.y, size.width, size.height};
         size = rect.size;
     }
     Film film(std::move(request), o.frames, o.view.is_given(), size, stop);
     if (o.elastic.alone) return verify_unit_alone(o.elastic, film, o.threads, int(o.traffic.seed), o.json);
-    if (!o.output.empty() && film.frames() > 1 && film.moves()) check_film_folder(o.output, film.frames());
+    check_film(film);
     const VerifyPlan work{film, size, clocks[0]};
     VerifyResult verified = run_machines(o, work, traffic, watch, progress);
     const std::string wave_lines = show_first_divergence(o, work, traffic, verified);

@@ -136,12 +136,15 @@ TEST_CASE("a part of a picture can be given by two corners, or by the cycles in 
         check_refused(run_program(more), words);
     };
     refused({"--pixels", "3,3..2,9"}, {"--pixels", "upper left"});
-    refused({"--pixels", "3,3..24,9"}, {"24,9", "23,17"});
+    refused({"--pixels", "3,3..24,9"}, {"--pixels", "24,9", "23,17"});
+    refused({"--pixels", "3;3"}, {"--pixels", "3;3", "400,300,64x48"});
     refused({"--cycles", "5"}, {"--cycles", "2000:3000"});
     refused({"--cycles", "9:9"}, {"holds no cycle"});
     refused({"--cycles", "-1:9"}, {"--cycles", "-1:9"});
     refused({"--cycles", "99999999:999999999"}, {"the frame ends after"});
     refused({"--cycles", "0:9", "--pixels", "0,0,4x4"}, {"--pixels and --cycles"});
+    check_refused(run_program({"verify", "--torture", "--cycles", "0:9"}), {"--torture", "--cycles"});
+    check_refused(run_program({"verify", "--torture", "--pixels", "0,0"}), {"--torture", "--pixels"});
 }
 
 TEST_CASE("a part of a picture is judged with the texture levels of the whole picture") {

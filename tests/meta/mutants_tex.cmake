@@ -321,12 +321,17 @@ set(tex_filter rtl/unit/tex/rc_texel_filter.sv)
 mutant(tex_weights_swapped FILE ${tex_filter} TEST unit ${tex_rtl_case}
   OLD [[{s2_weight_x, s2_weight_y} = s2_weights;]]
   NEW [[{s2_weight_y, s2_weight_x} = s2_weights;]])
-mutant(tex_filter_begins_at_the_right_texel FILE ${tex_filter} TEST unit ${tex_rtl_case}
-  OLD [[{left, {Frac{1'b0}}} + product[AlongW-1:0];]]
-  NEW [[{right, {Frac{1'b0}}} + product[AlongW-1:0];]])
-mutant(tex_lower_row_subtracted FILE ${tex_filter} TEST unit ${tex_rtl_case}
-  OLD [[s3_step    = $signed({1'b0, s3_lower}) - $signed({1'b0, s3_upper});]]
-  NEW [[s3_step    = $signed({1'b0, s3_upper}) - $signed({1'b0, s3_lower});]])
+mutant(tex_lerp_begins_at_b FILE rtl/fixed/rc_lerp.sv TEST unit ${tex_rtl_case}
+  OLD [[{a_i, {Frac{1'b0}}} + product]]
+  NEW [[{b_i, {Frac{1'b0}}} + product]])
+mutant(tex_lerp_steps_back FILE rtl/fixed/rc_lerp.sv TEST unit ${tex_rtl_case}
+  OLD [[$signed({1'b0, b_i}) - $signed({1'b0, a_i});]]
+  NEW [[$signed({1'b0, a_i}) - $signed({1'b0, b_i});]])
+mutant(tex_alpha_weighed_by_its_row FILE ${tex_filter} TEST unit ${tex_rtl_case}
+  OLD [[.a_i(s2_alpha_q[2*i*8 +: 8]), .b_i(s2_alpha_q[(2*i+1)*8 +: 8]),
+      .weight_i(s2_weight_x)]]
+  NEW [[.a_i(s2_alpha_q[2*i*8 +: 8]), .b_i(s2_alpha_q[(2*i+1)*8 +: 8]),
+      .weight_i(s2_weight_y)]])
 mutant(tex_weight_of_the_next_hit FILE ${tex_filter} TEST unit ${tex_rtl_case}
   OLD [[if (valid_q[2]) s3_weight_y_q]]
   NEW [[if (valid_q[1]) s3_weight_y_q]])

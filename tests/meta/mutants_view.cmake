@@ -5,6 +5,10 @@
 mutant(observer_counts_no_merge FILE sim/view/observe/observer.cpp TEST observe "a watched frame*"
   OLD [[    ++(outcome == CacheOutcome::miss ? sums.misses : sums.merges)[cache];]]
   NEW [[    ++sums.misses[cache];]])
+mutant(pixels_of_cycles_leave_a_cycle_early FILE sim/view/observe/costs.cpp TEST observe
+  "the pixels of some cycles*"
+  OLD [[std::uint64_t(pixel.cycles) >= first;]]
+  NEW [[std::uint64_t(pixel.cycles) > first;]])
 mutant(observer_is_a_cycle_late FILE sim/view/observe/observer.cpp TEST observe "a watched frame*"
   OLD [[    context.since = now_;
     context.place = place_after(link, streams_);]]

@@ -129,6 +129,29 @@ TEST_CASE("a ray alone in flight pays for every line that it misses, including t
     }
 }
 
+TEST_CASE("the pixels of some cycles are in the chip in one of them, and leave in their last cycle") {
+    FrameCosts costs;
+    costs.width = 4, costs.height = 1;
+    costs.pixels.resize(4);
+    // Pixel 0 is in the chip from cycle 10 on and leaves in cycle 15, pixel 2 from 20 to 26. The others have
+    // no rays.
+    costs.pixels[0].rays = 1, costs.pixels[0].first = 10, costs.pixels[0].cycles = 5;
+    costs.pixels[2].rays = 1, costs.pixels[2].first = 20, costs.pixels[2].cycles = 6;
+    const auto check = [&](std::uint64_t first, std::uint64_t last, int x, int width) {
+        INFO("cycles " << first << " to " << last);
+        const PixelRect rect = costs.pixels_in(first, last);
+        CHECK(rect.x == x);
+        CHECK(rect.size.width == width);
+    };
+    check(0, 10, 0, 0);
+    check(0, 11, 0, 1);
+    check(15, 16, 0, 1);
+    check(16, 20, 0, 0);
+    check(15, 21, 0, 3);
+    check(26, 27, 2, 1);
+    check(27, 99, 0, 0);
+}
+
 TEST_CASE("every tile was worked on by one pipeline, and its pixels lie within its time") {
     const Watching made = watching(watched_machines()[1]);
     const FrameCosts costs = observe(made.job.config, 66000, made.traces, {}, 0, nullptr);

@@ -3,8 +3,7 @@
 // Where it is below the cut-off, the triangle has a hole.
 //
 // s1: the four texels. s2: their intensities. s3: filtered along the rows. s4: filtered along the
-// column. With one = 2^TexelFrac, a filter (one - w) a + w b is one a + w (b - a), which takes one
-// product. Latency TexFilterStages, one hit per cycle, no stall. Model: filter_texels() in
+// column. Latency TexFilterStages, one hit per cycle, no stall. Model: filter_texels() in
 // model/unit/tex/texel.hpp.
 `default_nettype none
 module rc_texel_filter #(
@@ -84,16 +83,13 @@ module rc_texel_filter #(
   end
 
   // ---- The channels: red in the highest bits of a texel, then green, blue, alpha.
+  // The weights are those of the right and of the lower texels.
   logic [3*ColourBits-1:0] colour;
-  logic signed [Frac:0] s2_right, s3_below;   // weights of the right and of the lower texels
-
-  assign s2_right = $signed({1'b0, s2_weight_x});
-  assign s3_below = $signed({1'b0, s3_weight_y_q});
 
   for (genvar k = 0; k < 3; k++) begin : gen_channel
     logic [4*ColourBits-1:0] s2_value;
     logic [2*AlongW-1:0]     s3_along_q;
-    logic [SumW-1:0]         s3_sum;
+    logic [SumW-1:0]         s3_value, s3_sum;
     logic [ColourBits-1:0]   s4_colour_q;
 
     for (genvar i = 0; i < 4; i++) begin : gen_code
@@ -123,49 +119,37 @@ module rc_texel_filter #(
     end
 
     for (genvar i = 0; i < 2; i++) begin : gen_along
-      logic [ColourBits-1:0]        left, right;
-      logic signed [ColourBits:0]   step;
-      logic signed [AlongW:0]       product;
+      logic [AlongW-1:0] s2_along;
 
-      assign left    = s2_value[2*i*ColourBits +: ColourBits];
-      assign right   = s2_value[(2*i+1)*ColourBits +: ColourBits];
-      assign step    = $signed({1'b0, right}) - $signed({1'b0, left});
-      assign product = step * s2_right;
+      rc_lerp #(.Width(ColourBits), .Frac(Frac)) u_lerp (
+        .a_i(s2_value[2*i*ColourBits +: ColourBits]),
+        .b_i(s2_value[(2*i+1)*ColourBits +: ColourBits]),
+        .weight_i(s2_weight_x), .value_o(s2_along));
 
-      always_ff @(posedge clk_i)
-        if (valid_q[2])
-          s3_along_q[i*AlongW +: AlongW] <= {left, {Frac{1'b0}}} + product[AlongW-1:0];
-
-      logic unused;
-      assign unused = ^product;
+      always_ff @(posedge clk_i) if (valid_q[2]) s3_along_q[i*AlongW +: AlongW] <= s2_along;
     end
 
-    logic [AlongW-1:0]      s3_upper, s3_lower;
-    logic signed [AlongW:0] s3_step;
-    logic signed [SumW:0]   s3_product;
+    rc_lerp #(.Width(AlongW), .Frac(Frac)) u_lerp (
+      .a_i(s3_along_q[0 +: AlongW]), .b_i(s3_along_q[AlongW +: AlongW]),
+      .weight_i(s3_weight_y_q), .value_o(s3_value));
 
-    assign s3_upper   = s3_along_q[0 +: AlongW];
-    assign s3_lower   = s3_along_q[AlongW +: AlongW];
-    assign s3_step    = $signed({1'b0, s3_lower}) - $signed({1'b0, s3_upper});
-    assign s3_product = s3_step * s3_below;
-    assign s3_sum     = {s3_upper, {Frac{1'b0}}} + s3_product[SumW-1:0]
-                      + SumW'(1 << (2 * Frac - 1));
+    assign s3_sum = s3_value + SumW'(1 << (2 * Frac - 1));
 
     always_ff @(posedge clk_i) if (valid_q[3]) s4_colour_q <= s3_sum[2*Frac +: ColourBits];
 
     assign colour[k*ColourBits +: ColourBits] = s4_colour_q;
 
     logic unused;
-    assign unused = ^{s3_sum, s3_product};
+    assign unused = ^s3_sum;
   end
 
   // ---- Alpha. It is compared in s4, without rounding.
   localparam int unsigned AlphaW = 8 + 2 * Frac;   // filtered along both
-  logic [31:0]         s2_alpha_q;
+  logic [31:0]           s2_alpha_q;
   logic [2*(8+Frac)-1:0] s3_alpha_q;
-  logic [AlphaW-1:0]   s3_alpha;
-  logic [7:0]          s3_cutoff;
-  logic                s4_hole_q;
+  logic [AlphaW-1:0]     s3_alpha;
+  logic [7:0]            s3_cutoff;
+  logic                  s4_hole_q;
 
   rc_shift_register #(.Width(8), .Stages(3)) u_cutoff (
     .clk_i, .enable_i({valid_q[2:1], valid_i}), .data_i(place_i.cutoff), .data_o(s3_cutoff));
@@ -177,32 +161,18 @@ module rc_texel_filter #(
   end
 
   for (genvar i = 0; i < 2; i++) begin : gen_alpha_along
-    logic [7:0]             left, right;
-    logic signed [8:0]      step;
-    logic signed [8+Frac:0] product;
+    logic [7+Frac:0] s2_along;
 
-    assign left    = s2_alpha_q[2*i*8 +: 8];
-    assign right   = s2_alpha_q[(2*i+1)*8 +: 8];
-    assign step    = $signed({1'b0, right}) - $signed({1'b0, left});
-    assign product = step * s2_right;
+    rc_lerp #(.Width(8), .Frac(Frac)) u_lerp (
+      .a_i(s2_alpha_q[2*i*8 +: 8]), .b_i(s2_alpha_q[(2*i+1)*8 +: 8]),
+      .weight_i(s2_weight_x), .value_o(s2_along));
 
-    always_ff @(posedge clk_i)
-      if (valid_q[2])
-        s3_alpha_q[i*(8+Frac) +: 8+Frac] <= {left, {Frac{1'b0}}} + product[7+Frac:0];
-
-    logic unused;
-    assign unused = ^product;
+    always_ff @(posedge clk_i) if (valid_q[2]) s3_alpha_q[i*(8+Frac) +: 8+Frac] <= s2_along;
   end
 
-  logic [7+Frac:0]         s3_alpha_upper, s3_alpha_lower;
-  logic signed [8+Frac:0]  s3_alpha_step;
-  logic signed [AlphaW:0]  s3_alpha_product;
-
-  assign s3_alpha_upper   = s3_alpha_q[0 +: 8+Frac];
-  assign s3_alpha_lower   = s3_alpha_q[8+Frac +: 8+Frac];
-  assign s3_alpha_step    = $signed({1'b0, s3_alpha_lower}) - $signed({1'b0, s3_alpha_upper});
-  assign s3_alpha_product = s3_alpha_step * s3_below;
-  assign s3_alpha         = {s3_alpha_upper, {Frac{1'b0}}} + s3_alpha_product[AlphaW-1:0];
+  rc_lerp #(.Width(8 + Frac), .Frac(Frac)) u_alpha_lerp (
+    .a_i(s3_alpha_q[0 +: 8+Frac]), .b_i(s3_alpha_q[8+Frac +: 8+Frac]),
+    .weight_i(s3_weight_y_q), .value_o(s3_alpha));
 
   always_ff @(posedge clk_i)
     if (valid_q[3]) s4_hole_q <= s3_alpha < {s3_cutoff, {(2*Frac){1'b0}}};
@@ -210,6 +180,6 @@ module rc_texel_filter #(
   assign rsp_o = {ray, s4_hole_q, colour};
 
   logic unused;
-  assign unused = ^{line_i, s3_alpha_product};
+  assign unused = ^line_i;
 endmodule
 `default_nettype wire

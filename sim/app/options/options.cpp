@@ -23,10 +23,10 @@ void size_option(Parser& parser, std::string& size) {
 }
 
 void pixels_option(Parser& parser, std::optional<std::string>& pixels) {
-    parser.option(
-        "--pixels", pixels,
-        "draw only this part of the picture, X,Y,WIDTHxHEIGHT or X,Y..X,Y; the rays are those of the "
-        "whole picture, the caches are cold");
+    parser.option("--pixels", pixels,
+                  (std::string("draw only this part of the picture, ") + pixels_forms +
+                   "; the rays are those of the whole picture, the caches are cold")
+                      .c_str());
 }
 
 void clock_option(Parser& parser, std::string& clocks) {

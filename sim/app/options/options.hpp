@@ -16,6 +16,8 @@ namespace rayclock {
 constexpr const char* default_size = "512x384";
 constexpr const char* default_clocks = "66,90,200";
 constexpr std::uint64_t default_seed = 1;
+/// The three forms of --pixels, for the help.
+constexpr const char* pixels_forms = "X,Y,WIDTHxHEIGHT, X,Y..X,Y (both corners included), or X,Y";
 
 DeclaredOption scene_option(Parser& parser, std::string& scene);
 void size_option(Parser& parser, std::string& size);

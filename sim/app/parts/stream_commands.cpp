@@ -63,7 +63,7 @@ bool traces_stream(const StreamChoice& choice, const PictureOptions& picture) {
                       : view.is_given()    ? "an option of the camera"
                       : view.ground        ? "--ground"
                       : view.material      ? "--material"
-                      : frames.is_given()  ? "an option of films"
+                      : frames.is_given()  ? "an option for several frames"
                       : limits.max_other || limits.max_depth_error || limits.min_psnr ? "a limit of errors"
                                                                                       : nullptr;
     for (const PictureOptions::Own& option : own)

@@ -39,29 +39,31 @@ FrameSize parse_size(const std::string& text) {
     return size;
 }
 
-std::size_t parse_pixel(const std::string& text, FrameSize size) {
+std::size_t parse_pixel(const std::string& text, FrameSize size, const std::string& option) {
+    const std::string head = option.empty() ? "" : option + ": ";
     const std::size_t comma = text.find(',');
     int x = 0, y = 0;
     if (comma == std::string::npos || !parse_whole(std::string_view(text).substr(0, comma), x) ||
         !parse_whole(std::string_view(text).substr(comma + 1), y))
-        throw UserError(shown(text) + " is not a pixel, COLUMN,ROW, for example 255,190");
+        throw UserError(head + shown(text) + " is not a pixel, COLUMN,ROW, for example 255,190");
     if (x < 0 || x >= size.width || y < 0 || y >= size.height)
-        throw UserError(fmt::format("pixel {},{} lies outside the picture, whose pixels are 0,0 to {},{}", x,
-                                    y, size.width - 1, size.height - 1));
+        throw UserError(fmt::format("{}pixel {},{} lies outside the picture, whose pixels are 0,0 to {},{}",
+                                    head, x, y, size.width - 1, size.height - 1));
     return std::size_t(y) * std::size_t(size.width) + std::size_t(x);
 }
 
 namespace {
 
 constexpr const char* not_pixels =
-    " is not COLUMN,ROW,WIDTHxHEIGHT, for example 400,300,64x48, or two corners, for example "
-    "400,300..463,347, or one pixel";
+    " is not a part of a picture: give column, row and size, for example 400,300,64x48, or two corners, "
+    "400,300..463,347, or one pixel, 400,300";
 
 /// Parses two corners, both inside, or one pixel.
 PixelRect parse_corners(const std::string& text, FrameSize whole) {
     const std::size_t dots = text.find("..");
-    const std::size_t first = parse_pixel(text.substr(0, dots), whole),
-                      last = dots == text.npos ? first : parse_pixel(text.substr(dots + 2), whole);
+    const std::size_t first = parse_pixel(text.substr(0, dots), whole, "--pixels"),
+                      last =
+                          dots == text.npos ? first : parse_pixel(text.substr(dots + 2), whole, "--pixels");
     const auto width = std::size_t(whole.width);
     const int x = int(first % width), y = int(first / width);
     const PixelRect rect{x, y, {int(last % width) - x + 1, int(last / width) - y + 1}};

@@ -14,9 +14,9 @@ namespace rayclock {
 /// Parses "512x384". Throws UserError.
 FrameSize parse_size(const std::string& text);
 /// Parses "255,190", column and row of a pixel, to its index, row by row from the top. Throws UserError.
-std::size_t parse_pixel(const std::string& text, FrameSize size);
-/// Parses --pixels of a picture: COLUMN,ROW,WIDTHxHEIGHT, or COLUMN,ROW..COLUMN,ROW (both corners inside), or
-/// COLUMN,ROW. Throws UserError.
+/// The sentence begins with `option` if it is given.
+std::size_t parse_pixel(const std::string& text, FrameSize size, const std::string& option = "");
+/// Parses --pixels of a picture, in one of the forms of `pixels_forms`. Throws UserError.
 PixelRect parse_pixels(const std::string& text, FrameSize whole);
 /// Parses --size, and --pixels, which chooses a part of that picture. Returns the size of the picture to
 /// draw, and sets the view's window if it is a part.

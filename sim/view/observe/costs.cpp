@@ -34,7 +34,9 @@ PixelRect FrameCosts::pixels_in(std::uint64_t first, std::uint64_t last) const {
     for (std::uint32_t y = 0; y < height; ++y)
         for (std::uint32_t x = 0; x < width; ++x) {
             const PixelCost& pixel = pixels[std::size_t(y) * width + x];
-            if (pixel.first >= last || pixel.first + std::uint64_t(pixel.cycles) <= first) continue;
+            // A pixel leaves in cycle pixel.first + pixel.cycles.
+            const bool is_in = pixel.first < last && pixel.first + std::uint64_t(pixel.cycles) >= first;
+            if (pixel.rays == 0 || !is_in) continue;
             x0 = std::min(x0, x), x1 = std::max(x1, x + 1);
             y0 = std::min(y0, y), y1 = std::max(y1, y + 1);
         }

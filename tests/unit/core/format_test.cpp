@@ -29,7 +29,18 @@ TEST_CASE("a misspelt name of a format throws", "[format]") {
                  "every3:default", "every22:default", "lanes3:default", ":default", "fast:narow");
     CAPTURE(name);
     CHECK_THROWS_AS(format(name), std::invalid_argument);
-    CHECK_THROWS_AS(shaded_format(name), std::invalid_argument);
-    CHECK_THROWS_AS(tex_config(name), std::invalid_argument);
     CHECK_THROWS_WITH(format("narow"), Catch::Contains("'narow'") && Catch::Contains(" narrow "));
+}
+
+TEST_CASE("a misspelt name of a chip that shades throws", "[format]") {
+    const char* name = GENERATE("", "al", "all:", "texturd:all", "fast1:all", "every:all", "every3:all",
+                                "level:all", ":all", "fast:narow", "default");
+    CAPTURE(name);
+    CHECK_THROWS_AS(shaded_format(name), std::invalid_argument);
+}
+
+TEST_CASE("a misspelt name of a chip with textures throws", "[format]") {
+    const char* name = GENERATE("", "rgb88", "rgb888:", "fast:rgb888", "level", "all");
+    CAPTURE(name);
+    CHECK_THROWS_AS(tex_config(name), std::invalid_argument);
 }
