@@ -9,8 +9,8 @@
 // load_i). The comparison includes the changes that earlier requests make in these cycles.
 //
 // Each way's tags are in a separate memory, so a new line writes one memory. Reset clears the sets
-// one by one: the user must hold it for at least Sets cycles. Model: look_up(), victim() and
-// touch() in model/mem/cache.cpp. Proof: tests/formal/tags.sv.
+// one by one: the user must hold it for at least Sets cycles. Model: look_up() and touched() in
+// model/mem/cache.hpp, victim() in model/mem/cache.cpp. Proof: tests/formal/tags.sv.
 `default_nettype none
 module rc_tags #(
   parameter  int unsigned TagW = 18,

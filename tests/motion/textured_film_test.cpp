@@ -17,8 +17,10 @@ using namespace rayclock::test;
 
 namespace {
 
-/// Draws four frames of a scene, and requires that judge and reference accept each of them, that the host's
-/// writes give the memory that each frame reads, and that no two frames are equal.
+/// Draws four frames of a scene, and requires:
+/// - judge and reference accept each of them,
+/// - the host's writes give the memory that each frame reads,
+/// - no two frames are equal.
 void check_film(const std::string& path, int levels, const std::string& uploads) {
     INFO("levels " << levels << ", uploads " << uploads);
     constexpr FrameSize size{40, 30};

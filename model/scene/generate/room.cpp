@@ -1,6 +1,5 @@
-// A textured room: a tiled floor that extends far into the distance, a wall with wallpaper, a framed picture
-// above a frieze, a box with large pixels, a plant with holes, and a mirror that reflects them. Its textures
-// cover every wrap mode and filter. Formulas generate the pictures. The meshes have no vertex normals.
+// A textured room: a tiled floor, wallpaper, a framed picture, a box with large pixels, a plant with holes,
+// and a mirror. Its textures cover every wrap mode and filter. Formulas generate the pictures. The meshes have no vertex normals.
 #include "model/scene/generate/generate.hpp"
 
 #include <array>

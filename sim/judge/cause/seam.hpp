@@ -3,9 +3,12 @@
 //
 // The ray is rounded separately for each instance. So each instance has a separate line, and the scene's ray
 // is one more line. If all instances saw the same line, the picture would show a single ray, rounded once. An
-// answer is a *seam* if none of the lines concerned gives it alone. These lines are the scene's ray, the line
-// of the instance that was hit, the line of the instance that the ray leaves, and the lines of the instances
-// that these lines meet first. The answer then comes from different lines, and their distance is checked.
+// answer is a *seam* if none of these lines gives it alone:
+// - the scene's ray,
+// - the line of the instance that was hit,
+// - the line of the instance that the ray leaves,
+// - the lines of the instances that these lines meet first.
+// The answer then comes from different lines, and their distance is checked.
 // Where a line meets an instance that the instance's own ray does not meet, the two must lie within bound()
 // of that instance's steps. If they are farther apart, the result is `RayFinding::none`.
 //

@@ -19,8 +19,8 @@ struct Hidden {
 };
 
 /// Tests the path up to `distance`. Light passes through a triangle with a cut-off where the alpha of its
-/// texture is below the cut-off, at the level for the length of the path to the surface (path.travelled) and
-/// a cosine of 1. More than max_holes holes hide the light. `spread`: sample_spread() of the picture.
+/// texture is below the cut-off. The level of the texture is that for a path of length path.travelled and a
+/// cosine of 1. More than max_holes holes hide the light. `spread`: sample_spread() of the picture.
 Hidden hidden_at(const RefGeometry& geometry, const Scene& scene, const RefPath& path, double distance,
                  double spread, const HoleSlack& slack = {});
 
