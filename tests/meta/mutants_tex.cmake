@@ -434,8 +434,8 @@ mutant(tex_tri_cutout_has_no_weights FILE rtl/unit/isect/rc_tri.sv TEST unit
   NEW [[!pre_any;]])
 mutant(tex_tri_cutout_for_every_ray FILE rtl/unit/isect/rc_tri.sv TEST unit
   "tri of a chip that shades decides exactly and measures within its bound - Rtl<TriUnit>"
-  OLD [[rc_pkg::HasTextures == 1 && in_any && in.prim_kind]]
-  NEW [[rc_pkg::HasTextures == 1 && in.prim_kind]])
+  OLD [[rc_pkg::HasTextures && in_any && in.prim_kind]]
+  NEW [[rc_pkg::HasTextures && in.prim_kind]])
 mutant(tex_pass_light_after_the_next FILE rtl/unit/shade/rc_pass.sv TEST unit ${light_pass}
   OLD [[= given.light - 7'd1;]]
   NEW [[= given.light;]])
