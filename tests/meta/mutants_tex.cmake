@@ -247,8 +247,8 @@ mutant(simulate_tex_light_ignores_an_opaque_cutout FILE model/unit/list/ray_test
   OLD [[            --holes_;]]
   NEW [[            ;]])
 mutant(simulate_tex_cutouts_not_marked FILE model/compile/surfaces.cpp TEST simulate "room --depth 1"
-  OLD [[prim.kind = std::uint32_t(PrimKind::cutout);]]
-  NEW [[prim.kind = std::uint32_t(PrimKind::triangle);]])
+  OLD [[prim.kind = PrimKind::cutout;]]
+  NEW [[prim.kind = PrimKind::triangle;]])
 mutant(simulate_tex_log_at_the_start_of_its_part FILE ${tex_model} TEST simulate "room --depth 1"
   OLD [=[log_table()[step * i + step / 2]]=]
   NEW [=[log_table()[step * i]]=])
@@ -547,8 +547,8 @@ mutant(simulate_tex_plane_from_its_own_point FILE model/compile/plane.cpp TEST s
   OLD [[corners[0] += on.at[i] * step[i];]]
   NEW [[corners[0] += 0.3 * step[i];]])
 mutant(simulate_tex_far_path_saturates FILE model/unit/shade/surf.cpp TEST simulate "${globe} --size 200x150"
-  OLD [[c.planes && PrimKind(in.surface.kind) == PrimKind::plane &&]]
-  NEW [[c.planes && PrimKind(in.surface.kind) == PrimKind::sphere &&]])
+  OLD [[c.planes && in.surface.kind == PrimKind::plane &&]]
+  NEW [[c.planes && in.surface.kind == PrimKind::sphere &&]])
 mutant(simulate_tex_sphere_axes_swapped FILE model/unit/shade/surf.cpp TEST simulate ${globe}
   OLD [[half * std::abs(n[0]) / sum, q = half * std::abs(n[2]) / sum;]]
   NEW [[half * std::abs(n[2]) / sum, q = half * std::abs(n[0]) / sum;]])

@@ -472,12 +472,12 @@ void enumerations(Package& p) {
                              {"MeshNode", LineKind::mesh_node},
                              {"Placement", LineKind::placement}});
     p.say("What a ray is for, what a primitive is, which test tri makes.");
-    p.enumeration<RayKind>("ray_kind_e", "Ray", 2,
+    p.enumeration<RayKind>("ray_kind_e", "Ray", ray_kind_bits,
                            {{"Camera", RayKind::camera},
                             {"Bounce", RayKind::bounce},
                             {"Shadow", RayKind::shadow},
                             {"Away", RayKind::away}});
-    p.enumeration<PrimKind>("prim_kind_e", "Prim", 2,
+    p.enumeration<PrimKind>("prim_kind_e", "Prim", prim_kind_bits,
                             {{"Triangle", PrimKind::triangle},
                              {"Plane", PrimKind::plane},
                              {"Sphere", PrimKind::sphere},
@@ -485,7 +485,7 @@ void enumerations(Package& p) {
     p.enumeration<PrimitiveTest>("primitive_test_e", "Test", 32,
                                  {{"Exact", PrimitiveTest::exact}, {"Sheared", PrimitiveTest::sheared}});
     p.say("What a pass of shade is for, what it leaves to be added, and where the context goes after it.");
-    p.enumeration<ShadeEvent>("shade_event_e", "Event", 3,
+    p.enumeration<ShadeEvent>("shade_event_e", "Event", shade_event_bits,
                               {{"Arrive", ShadeEvent::arrive},
                                {"Light", ShadeEvent::light},
                                {"Refract", ShadeEvent::refract},
@@ -493,7 +493,7 @@ void enumerations(Package& p) {
                                {"Pop", ShadeEvent::pop},
                                {"Transform", ShadeEvent::transform},
                                {"Texture", ShadeEvent::texture}});
-    p.enumeration<Pending>("pending_e", "Pending", 2,
+    p.enumeration<Pending>("pending_e", "Pending", pending_bits,
                            {{"None", Pending::none},
                             {"Answer", Pending::answer},
                             {"Sure", Pending::sure},
@@ -506,7 +506,7 @@ void enumerations(Package& p) {
                           {"Texture", Leave::texture}});
     p.say("How a texture continues beyond its edges, and the formats of its texels.");
     p.enumeration<WrapMode>(
-        "wrap_e", "Wrap", 2,
+        "wrap_e", "Wrap", wrap_bits,
         {{"Repeat", WrapMode::repeat}, {"Mirror", WrapMode::mirror}, {"Clamp", WrapMode::clamp}});
     p.enumeration<TexelFormat>("texel_format_e", "Texels", 32,
                                {{"Rgb888", TexelFormat::rgb888}, {"Rgb565", TexelFormat::rgb565}});
