@@ -132,7 +132,7 @@ module rc_pipeline (
     .hit_valid_o, .hit_ready_i, .hit_o, .cause_o(sched_cause));
 
   // Rays from the camera and shade, or from memory.
-  if (rc_pkg::Streams == 0) begin : gen_raygen
+  if (!rc_pkg::IsStream) begin : gen_raygen
     rc_raygen u_raygen (
       .clk_i, .rst_ni(raygen_rst_n), .frame_i,
       .spawn_valid_i(spawn_valid), .spawn_ready_o(spawn_ready), .spawn_i(spawn),
@@ -179,9 +179,9 @@ module rc_pipeline (
 
   // A ray starts in the cycle in which its engine accepts it.
   assign start_fires = ray_valid && ray_ready;
-  if (rc_pkg::HasTextures != 0) begin : gen_start_of_holes
+  if (rc_pkg::HasTextures) begin : gen_start_of_holes
     assign start = {ray.ray, ray.kind, ray.holes};
-  end else if (rc_pkg::Shading != 0) begin : gen_start
+  end else if (rc_pkg::Shading) begin : gen_start
     assign start = {ray.ray, ray.kind};
   end else begin : gen_camera_start
     assign start = ray.ray;
@@ -267,7 +267,7 @@ module rc_pipeline (
     .occupied_o(tri_occupied),
     .rsp_valid_o(tri_rsp_valid), .rsp_ready_i(tri_rsp_ready), .rsp_o(tri_rsp));
 
-  if (rc_pkg::Shades == 0) begin : gen_hits   // list's hits are the pixels
+  if (!rc_pkg::HasShade) begin : gen_hits   // list's hits are the pixels
     assign pixel_valid   = closest_valid;
     assign closest_ready = pixel_ready;
     assign pixel         = closest;
@@ -307,7 +307,7 @@ module rc_pipeline (
       .cause_o(shade_cause));
   end
 
-  if (rc_pkg::HasTextures == 1) begin : gen_tex
+  if (rc_pkg::HasTextures) begin : gen_tex
     logic texels_wait, tex_rst_n;
     rc_reset_register u_tex_reset (.clk_i, .rst_ni, .rst_no(tex_rst_n));
 

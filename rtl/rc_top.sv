@@ -120,7 +120,7 @@ module rc_top #(
       logic                         third_valid, third_ready, third_fires;
       logic [CacheIdW+AddrBits-1:0] third;
 
-      if (rc_pkg::Streams != 0) begin : gen_stream
+      if (rc_pkg::IsStream) begin : gen_stream
         assign {third_valid, third}         = {record_valid, CacheIdW'(record_id), record_addr};
         assign {record_ready, record_fires} = {third_ready, third_fires};
         assign {surf_ready, surf_fires}     = '0;

@@ -50,7 +50,7 @@ std::vector<PrimData> snap_primitives(const Scene& scene, const Lattice& lattice
 /// lattice.
 LatticeBox box_of(const PrimData& prim, int coord_bits) {
     const std::int32_t most = (1 << (coord_bits - 1)) - 1;
-    if (PrimKind(prim.kind) == PrimKind::plane) return {{-most, -most, -most}, {most, most, most}};
+    if (prim.kind == PrimKind::plane) return {{-most, -most, -most}, {most, most, most}};
     const std::uint64_t square = radius_squared(prim, coord_bits);
     auto radius = std::int32_t(std::sqrt(double(square)));
     while (std::uint64_t(radius) * std::uint64_t(radius) < square) ++radius;
@@ -127,7 +127,7 @@ void check_stack(int need, const Config& config, const std::string& name) {
 }
 
 bool counts(const PrimData& t, const Config& config) {
-    if (PrimKind(t.kind) == PrimKind::sphere) return radius_squared(t, config.coord_bits) > 0;
+    if (t.kind == PrimKind::sphere) return radius_squared(t, config.coord_bits) > 0;
     return config.is_sheared() ? t.a != t.b && t.b != t.c && t.c != t.a : has_area(t);
 }
 

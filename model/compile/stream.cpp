@@ -97,7 +97,7 @@ std::optional<LatticeRay> on_lattice(const StreamRay& ray, const Lattice& lattic
             return made;
         }
         if (!end.is_beyond) {
-            record.kind = std::uint32_t(RayKind::shadow);
+            record.kind = RayKind::shadow;
             for (std::size_t k = 0; k < 3; ++k) {
                 record.o[k] = end.point[k] * (1 << frac);
                 record.d[k] = begin[k] - record.o[k];
@@ -106,7 +106,7 @@ std::optional<LatticeRay> on_lattice(const StreamRay& ray, const Lattice& lattic
             return made;
         }
     }
-    record.kind = std::uint32_t(ray.any_hit ? RayKind::away : RayKind::bounce);
+    record.kind = ray.any_hit ? RayKind::away : RayKind::bounce;
     record.o = begin;
     const glm::dvec3 steps = lattice.direction(ray.direction);
     const double largest = std::max({std::abs(steps.x), std::abs(steps.y), std::abs(steps.z)});
@@ -120,7 +120,7 @@ std::optional<LatticeRay> on_lattice(const StreamRay& ray, const Lattice& lattic
 }
 
 RayRecord ray_to_nowhere(const Config& config) {
-    RayRecord record{std::uint32_t(RayKind::away), {}, {}};
+    RayRecord record{RayKind::away, {}, {}};
     for (std::size_t k = 0; k < 3; ++k) {
         record.o[k] = (1 << (config.origin_width() - 1)) - 1;
         record.d[k] = (1 << (config.dir_bits - 1)) - 1;

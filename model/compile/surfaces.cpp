@@ -201,7 +201,7 @@ PrimData snap_primitive(const Scene& scene, const Lattice& lattice, std::size_t 
     const int n = lattice.coord_bits;
     if (i - scene.triangles.size() < scene.spheres.size()) {
         const Sphere& sphere = scene.spheres[i - scene.triangles.size()];
-        prim.kind = std::uint32_t(PrimKind::sphere);
+        prim.kind = PrimKind::sphere;
         prim.a = lattice.snap(sphere.centre);
         const double radius = sphere.radius / lattice.pitch.x;
         const auto square = std::uint64_t(std::min(std::round(radius * radius), std::ldexp(1.0, 2 * n) - 1));
@@ -212,7 +212,7 @@ PrimData snap_primitive(const Scene& scene, const Lattice& lattice, std::size_t 
         return prim;
     }
     const Plane& plane = scene.planes[i - scene.triangles.size() - scene.spheres.size()];
-    prim.kind = std::uint32_t(PrimKind::plane);
+    prim.kind = PrimKind::plane;
     const PlaneOnLattice on = plane_on_lattice(plane, lattice);
     prim.a = on.a, prim.b = on.b, prim.c = on.c;
     return prim;
@@ -223,17 +223,16 @@ void mark_cutouts(const std::vector<Triangle>& triangles, const std::vector<Corn
                   std::vector<PrimData>& prims) {
     if (!config.has_textures() || coordinates.empty()) return;
     for (PrimData& prim : prims) {
-        if (PrimKind(prim.kind) != PrimKind::triangle) continue;
+        if (prim.kind != PrimKind::triangle) continue;
         const Material& material = materials[triangles[prim.prim].material];
-        if (material.texture && material.cutoff > 0) prim.kind = std::uint32_t(PrimKind::cutout);
+        if (material.texture && material.cutoff > 0) prim.kind = PrimKind::cutout;
     }
 }
 
 std::size_t drop_coincident_spheres(std::vector<PrimData>& prims) {
     std::set<std::array<std::int32_t, 5>> seen;
     return std::erase_if(prims, [&](const PrimData& p) {
-        return PrimKind(p.kind) == PrimKind::sphere &&
-               !seen.insert({p.a[0], p.a[1], p.a[2], p.b[0], p.b[1]}).second;
+        return p.kind == PrimKind::sphere && !seen.insert({p.a[0], p.a[1], p.a[2], p.b[0], p.b[1]}).second;
     });
 }
 

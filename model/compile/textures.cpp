@@ -68,8 +68,7 @@ TexRecord common_record(const Texture& texture, std::uint32_t base) {
     record.base = base;
     record.log_width = std::uint32_t(std::bit_width(unsigned(levels[0].width))) - 1;
     record.log_height = std::uint32_t(std::bit_width(unsigned(levels[0].height))) - 1;
-    record.wrap_s = std::uint32_t(mode_of(texture.wrap_s)),
-    record.wrap_t = std::uint32_t(mode_of(texture.wrap_t));
+    record.wrap_s = mode_of(texture.wrap_s), record.wrap_t = mode_of(texture.wrap_t);
     record.nearest = texture.nearest;
     record.last_level = texture.mipmaps ? std::uint32_t(levels.size()) - 1 : 0;
     return record;

@@ -18,7 +18,8 @@ using Vec3l = std::array<std::int64_t, 3>;
 /// - away: from such a point towards a light beyond the lattice, without end. It is a bounce for which any
 ///   hit suffices, as for a shadow ray.
 enum class RayKind : std::uint32_t { camera, bounce, shadow, away };
-constexpr bool ends_at_any(std::uint32_t kind) { return kind >= std::uint32_t(RayKind::shadow); }
+constexpr int ray_kind_bits = 2;
+constexpr bool ends_at_any(RayKind kind) { return kind >= RayKind::shadow; }
 /// Returns the distance to beat when a ray starts: that of the surface for a shadow ray, all ones for the
 /// others. Mirror of rtl/unit/trav/rc_ray_t_max.sv.
 constexpr std::uint32_t reach_of(RayKind kind, const Config& config) {
@@ -67,7 +68,7 @@ struct ShadeFrame {
         v("seed", seed, 32);
         v("background", background, unit_bits + 1, 3);
         if (c.has_textures()) v("spread", spread, level_bits);
-        v("lights", lights, 7);
+        v("lights", lights, light_number_bits);
         v("is_near", near, 1, c.lights);
         v("is_clear", clear, 1, c.lights);
         if (c.panes > 0) v("light_cell", cell, c.panes, c.lights);

@@ -59,6 +59,7 @@ inline void set_line_kind(std::uint32_t* line, LineKind kind) {
 /// A cut-out is a triangle whose texture may have holes (TexRecord::cutoff). In a chip without textures all
 /// triangles are of kind `triangle`.
 enum class PrimKind : std::uint32_t { triangle, plane, sphere, cutout };
+constexpr int prim_kind_bits = 2;
 
 /// A primitive in 32 bytes of memory (right-aligned), and its number.
 /// - Triangle or cut-out: its corners a, b, c on the lattice.
@@ -69,12 +70,10 @@ enum class PrimKind : std::uint32_t { triangle, plane, sphere, cutout };
 struct PrimData {
     Vec3i a{}, b{}, c{};
     std::uint32_t prim = 0;
-    std::uint32_t kind = 0;   ///< PrimKind
-    bool is_triangle() const {
-        return PrimKind(kind) == PrimKind::triangle || PrimKind(kind) == PrimKind::cutout;
-    }
+    PrimKind kind = PrimKind::triangle;
+    bool is_triangle() const { return kind == PrimKind::triangle || kind == PrimKind::cutout; }
     template <class V> void fields(V& v, const Config& c_) {
-        if (c_.has_kinds()) v("prim_kind", kind, 2);
+        if (c_.has_kinds()) v("prim_kind", kind, prim_kind_bits);
         v("a", a, c_.coord_bits, 3);
         v("b", b, c_.coord_bits, 3);
         v("c", c, c_.coord_bits, 3);
@@ -86,10 +85,10 @@ struct PrimData {
 /// any hit, and shadow for any hit up to a point: this ray begins at that point, a lattice point
 /// (docs/guide/streams.md).
 struct RayRecord {
-    std::uint32_t kind = 0;   ///< RayKind
-    Vec3i o{}, d{};           ///< as in Ray
+    RayKind kind = RayKind::camera;
+    Vec3i o{}, d{};   ///< as in Ray
     template <class V> void fields(V& v, const Config& c) {
-        v("kind", kind, 2);
+        v("kind", kind, ray_kind_bits);
         v("o", o, c.origin_width(), 3);
         v("d", d, c.ray_dir_bits(), 3);
     }
@@ -103,6 +102,7 @@ inline std::uint64_t radius_squared(const PrimData& sphere, int coord_bits) {
 
 /// How a texture continues beyond its edges.
 enum class WrapMode : std::uint32_t { repeat, mirror, clamp };
+constexpr int wrap_bits = 2;
 
 /// The texture on a surface: a line of memory (right-aligned), which Surface::record names. One unit of s
 /// and t is the whole picture; t points down.
@@ -112,9 +112,9 @@ struct TexRecord {
     std::array<std::int32_t, 3> s{}, t{};
     std::uint32_t base = 0;   ///< first line of level 0; model/unit/tex/texel.hpp has the others
     std::uint32_t log_width = 0, log_height = 0;   ///< logarithms of the sides of level 0, in texels
-    std::uint32_t wrap_s = 0, wrap_t = 0;          ///< WrapMode
-    std::uint32_t nearest = 0;                     ///< 1: the nearest texel; 0: bilinear
-    std::uint32_t last_level = 0;                  ///< number of the smallest level
+    WrapMode wrap_s = WrapMode::repeat, wrap_t = WrapMode::repeat;
+    std::uint32_t nearest = 0;      ///< 1: the nearest texel; 0: bilinear
+    std::uint32_t last_level = 0;   ///< number of the smallest level
     /// Logarithm of the density of level 0: texels per 2^-F lattice steps. level_frac fraction bits.
     std::int32_t density = 0;
     /// Where alpha is below this, the triangle has a hole; 255 is opaque. 0: the triangle has no holes.
@@ -125,8 +125,8 @@ struct TexRecord {
         v("base", base, c.addr_bits);
         v("log_width", log_width, side_bits);
         v("log_height", log_height, side_bits);
-        v("wrap_s", wrap_s, 2);
-        v("wrap_t", wrap_t, 2);
+        v("wrap_s", wrap_s, wrap_bits);
+        v("wrap_t", wrap_t, wrap_bits);
         v("nearest", nearest, 1);
         v("last_level", last_level, side_bits);
         v("density", density, level_bits);
@@ -138,7 +138,8 @@ struct TexRecord {
 /// The shading data of a primitive: a line of memory (right-aligned), number ShadeFrame::first_surface_line +
 /// primitive.
 struct Surface {
-    std::uint32_t kind = 0, smooth = 0, checkered = 0, schlick = 0;
+    PrimKind kind = PrimKind::triangle;
+    std::uint32_t smooth = 0, checkered = 0, schlick = 0;
     /// For a triangle: all components of its edges are multiples of 2^fine. So points of B fraction bits lie
     /// 2^-(B + fine) of an edge apart on it.
     std::uint32_t fine = 0;
@@ -157,7 +158,7 @@ struct Surface {
     /// Ratio of refractive indices outside / inside, and inside / outside; index_frac fraction bits.
     std::uint32_t enter = 0, leave = 0;
     template <class V> void fields(V& v, const Config& c_) {
-        v("kind", kind, 2);
+        v("kind", kind, prim_kind_bits);
         v("smooth", smooth, 1);
         v("checkered", checkered, 1);
         v("schlick", schlick, 1);

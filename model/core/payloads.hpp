@@ -62,7 +62,7 @@ struct Home {
 /// o nor d.
 struct Spawn {
     std::uint32_t ray = 0;
-    std::uint32_t kind = 0;   ///< RayKind
+    RayKind kind = RayKind::camera;
     std::uint32_t x = 0, y = 0, sample = 0;
     std::uint32_t is_partial = 0, self = 0, is_inside = 0, holes = 0;   ///< as in Ray
     Vec3i o{};                                                          ///< N + B bits, B of them fraction
@@ -70,7 +70,7 @@ struct Spawn {
     Home home;                                                          ///< as in Ray
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
-        v("kind", kind, 2);
+        v("kind", kind, ray_kind_bits);
         v("x", x, c.pixel_bits);
         v("y", y, c.pixel_bits);
         v("sample", sample, sample_bits);
@@ -114,7 +114,7 @@ struct Ray {
     std::array<std::uint32_t, 3> recip{};   ///< R + 1 bits
     std::array<std::uint32_t, 3> len{};     ///< 0..M
     Shear shear;                            ///< with the sheared test
-    std::uint32_t kind = 0;                 ///< RayKind
+    RayKind kind = RayKind::camera;
     std::uint32_t self = 0;        ///< the primitive that a bounce leaves, or at which a shadow ray ends
     std::uint32_t is_inside = 0;   ///< 1: on that sphere's inside
     /// 1: the ray meets only some primitives. A ray to or from a light meets those that have an end. A bounce
@@ -127,7 +127,7 @@ struct Ray {
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         if (c.is_sheared()) shear.fields(v, c);
-        if (c.shading) v("kind", kind, 2);
+        if (c.shading) v("kind", kind, ray_kind_bits);
         if (c.has_textures()) v("holes", holes, hole_bits);
         if (c.planes) v("is_partial", is_partial, 1);
         if (c.spheres) v("self", self, c.prim_bits);
@@ -144,11 +144,11 @@ struct Ray {
 /// from the ray's transfer to trav, which could carry the same ray with a new direction.
 struct Start {
     std::uint32_t ray = 0;
-    std::uint32_t kind = 0;    ///< RayKind
+    RayKind kind = RayKind::camera;
     std::uint32_t holes = 0;   ///< as in Ray
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
-        if (c.shading) v("kind", kind, 2);
+        if (c.shading) v("kind", kind, ray_kind_bits);
         if (c.has_textures()) v("holes", holes, hole_bits);
     }
 };
@@ -158,11 +158,11 @@ struct XformReq {
     std::uint32_t ray = 0;
     Vec3i o{}, d{};
     Placement placement;
-    std::uint32_t kind = 0;   ///< RayKind
+    RayKind kind = RayKind::camera;
     Home home{};
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
-        if (c.has_homes()) v("kind", kind, 2);
+        if (c.has_homes()) v("kind", kind, ray_kind_bits);
         home.fields(v, c);
         v("o", o, c.origin_width(), 3);
         v("d", d, c.ray_dir_bits(), 3);
@@ -177,10 +177,10 @@ struct Change {
     std::uint32_t root = 0, first = 0, here = 0;   ///< as in Placement
     Vec3i o{}, d{};                                ///< in the mesh's space, as in Ray
     std::array<std::uint32_t, 3> recip{}, len{};   ///< of d
-    std::uint32_t kind = 0;                        ///< RayKind
+    RayKind kind = RayKind::camera;
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
-        if (c.has_homes()) v("kind", kind, 2);
+        if (c.has_homes()) v("kind", kind, ray_kind_bits);
         v("first", first, c.prim_bits);
         v("root", root, c.addr_bits);
         if (c.has_homes()) v("here", here, c.addr_bits);
@@ -214,12 +214,13 @@ struct TriReq {
     Vec3i o{}, d{};
     PrimData triangle;
     Best best;
-    Shear shear{};                                                     ///< replaces d in the sheared test
-    std::uint32_t kind = 0, self = 0, is_inside = 0, is_partial = 0;   ///< as in Ray
+    Shear shear{};   ///< replaces d in the sheared test
+    RayKind kind = RayKind::camera;
+    std::uint32_t self = 0, is_inside = 0, is_partial = 0;   ///< as in Ray
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         if (c.is_sheared()) shear.fields(v, c);
-        if (c.shading) v("kind", kind, 2);
+        if (c.shading) v("kind", kind, ray_kind_bits);
         if (c.planes) v("is_partial", is_partial, 1);
         if (c.spheres) v("self", self, c.prim_bits);
         if (c.spheres) v("is_inside", is_inside, 1);

@@ -96,7 +96,7 @@ struct FromAnywhere {
           config(config_),
           from(from_),
           ray(slab_ray(box_ray(from), config)),
-          hit({from.ray, from.kind, from.holes}, reach_of(RayKind(from.kind), config)) {}
+          hit({from.ray, from.kind, from.holes}, reach_of(from.kind, config)) {}
     RAYCLOCK_INLINE const WideNode& boxes(std::uint32_t line, std::uint32_t* t_near,
                                           std::uint32_t& hits) const {
         const WideNode& node = decoder.node<engine::Bvh>(line);

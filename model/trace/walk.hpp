@@ -24,7 +24,7 @@ struct UnitPolicy {
     void start(const Ray& ray_) {
         ray = ray_;
         forms.take(ray, box_ray(ray), config.engine(), config);
-        hit = {{ray.ray, ray.kind, ray.holes}, reach_of(RayKind(ray.kind), config)};
+        hit = {{ray.ray, ray.kind, ray.holes}, reach_of(ray.kind, config)};
     }
     /// Returns the ray in the engine's form. `line` selects the space: the scene's or an instance's.
     template <class E> const typename E::RayForm& form_at(std::uint32_t line) const {

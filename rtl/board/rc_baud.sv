@@ -24,7 +24,7 @@ module rc_baud #(
   if (64'(Baud) * 4 > ClkHz) begin : gen_refuse
     $error("rc_baud: a bit must last four cycles or more");
   end
-  if (Step < 100) begin : gen_refuse_2
+  if (Step < 100) begin : gen_refuse_step
     $error("rc_baud: the clock is too fast for this rate");
   end
 

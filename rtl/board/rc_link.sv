@@ -66,7 +66,7 @@ module rc_link #(
   if (LineBits < 1 || LineBits > 31) begin : gen_refuse
     $error("rc_link: LineBits must be 1 to 31");
   end
-  if (QuietCycles < 2 || BusCycles < 4) begin : gen_refuse_2
+  if (QuietCycles < 2 || BusCycles < 4) begin : gen_refuse_cycles
     $error("rc_link: QuietCycles and BusCycles are too short");
   end
 

@@ -57,7 +57,7 @@ module rc_pixel_colour (
   assign {y_o, x_o} = place;
   assign empty_o    = !place_valid;
 
-  if (rc_pkg::Shading != 0) begin : gen_shaded
+  if (rc_pkg::Shading) begin : gen_shaded
     localparam int unsigned Stages = 8;
     localparam int unsigned ValueW = rc_pkg::UnitBits + 1;
     localparam int unsigned Bytes  = 255;

@@ -66,7 +66,7 @@ module rc_scan_out #(
   if (PixelKhz < 1 || ChipKhz < PixelKhz) begin : gen_refuse
     $error("rc_scan_out: PixelKhz must be at least 1, and ChipKhz at least PixelKhz");
   end
-  if (InFlight < 1) begin : gen_refuse_2
+  if (InFlight < 1) begin : gen_refuse_in_flight
     $error("rc_scan_out: InFlight must be at least 1");
   end
 

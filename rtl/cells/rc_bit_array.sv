@@ -28,7 +28,7 @@ module rc_bit_array #(
   rc_pulse_register u_writes (.clk_i, .rst_ni, .fires_i(write_i), .fires_o(writes));
 
   // Bits. An indexed write in a relaxed chip; one address comparator per bit in a fast chip.
-  if (rc_pkg::Cut == 0) begin : gen_indexed
+  if (rc_pkg::PathCut == 0) begin : gen_indexed
     logic [Marks-1:0] marks_q;
     always_ff @(posedge clk_i) if (writes) marks_q[at] <= mark;
     assign marks_o = marks_q;

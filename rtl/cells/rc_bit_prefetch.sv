@@ -24,7 +24,7 @@ module rc_bit_prefetch #(
     $error("rc_bit_prefetch: Flags must be at least 1");
   end
 
-  if (rc_pkg::Cut == 0) begin : gen_now
+  if (rc_pkg::PathCut == 0) begin : gen_now
     assign flag_o = flags_i[head_i];
 
     logic unused;

@@ -5,7 +5,7 @@
 `default_nettype none
 module rc_bit_select #(
   parameter  int unsigned Flags  = 2,
-  parameter  int unsigned Cut    = rc_pkg::Cut,
+  parameter  int unsigned Cut    = rc_pkg::PathCut,
   localparam int unsigned IndexW = Flags < 2 ? 1 : $clog2(Flags)
 ) (
   input  logic              clk_i,

@@ -8,7 +8,7 @@
 `default_nettype none
 module rc_credit_counter #(
   parameter  int unsigned Credits = 4,
-  parameter  int unsigned Cut     = rc_pkg::Cut,
+  parameter  int unsigned Cut     = rc_pkg::PathCut,
   localparam int unsigned CountW  = $clog2(Credits + 1)
 ) (
   input  logic clk_i,

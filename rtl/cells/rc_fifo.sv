@@ -5,7 +5,7 @@
 module rc_fifo #(
   parameter int unsigned Width = 1,
   parameter int unsigned Depth = 4,
-  parameter int unsigned Cut   = rc_pkg::Cut
+  parameter int unsigned Cut   = rc_pkg::PathCut
 ) (
   input  logic             clk_i,
   input  logic             rst_ni,

@@ -14,7 +14,7 @@
 module rc_fifo_peek #(
   parameter  int unsigned Width  = 1,
   parameter  int unsigned Depth  = 4,
-  parameter  int unsigned Cut    = rc_pkg::Cut,
+  parameter  int unsigned Cut    = rc_pkg::PathCut,
   parameter  bit          Second = 0,
   localparam int unsigned IndexW = $clog2(Depth)
 ) (
@@ -35,7 +35,7 @@ module rc_fifo_peek #(
   if (Width < 1) begin : gen_refuse
     $error("rc_fifo_peek: Width must be at least 1");
   end
-  if (Depth < 2 || (Depth & (Depth - 1)) != 0) begin : gen_refuse_2
+  if (Depth < 2 || (Depth & (Depth - 1)) != 0) begin : gen_refuse_depth
     $error("rc_fifo_peek: Depth must be a power of two, at least 2");
   end
 

@@ -21,7 +21,7 @@ module rc_flags #(
     $error("rc_flags: Flags must be at least 1");
   end
 
-  if (rc_pkg::Cut == 0) begin : gen_indexed
+  if (rc_pkg::PathCut == 0) begin : gen_indexed
     logic [Flags-1:0] flags_q;
 
     always_ff @(posedge clk_i) begin

@@ -5,7 +5,7 @@
 `default_nettype none
 module rc_path_register #(
   parameter int unsigned Width  = 1,
-  parameter int unsigned Stages = rc_pkg::Cut
+  parameter int unsigned Stages = rc_pkg::PathCut
 ) (
   input  logic             clk_i,
   input  logic [Width-1:0] data_i,

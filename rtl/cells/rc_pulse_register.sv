@@ -2,7 +2,7 @@
 // relaxed chip Stages is 0 and this is a wire.
 `default_nettype none
 module rc_pulse_register #(
-  parameter int unsigned Stages = rc_pkg::Cut
+  parameter int unsigned Stages = rc_pkg::PathCut
 ) (
   input  logic clk_i,
   input  logic rst_ni,

@@ -9,7 +9,7 @@ module rc_ram_prefetch #(
   parameter  int unsigned Width  = 1,
   parameter  int unsigned Depth  = 2,
   localparam int unsigned IndexW = Depth < 2 ? 1 : $clog2(Depth),
-  localparam bit          Block  = rc_pkg::Cut != 0 && Depth > 16 && Width > 16
+  localparam bit          Block  = rc_pkg::PathCut != 0 && Depth > 16 && Width > 16
 ) (
   input  logic              clk_i,
   input  logic              rst_ni,      // for the assertion: during reset the ports are arbitrary

@@ -23,7 +23,7 @@ module rc_mul #(
   if (AW < 2 || BW < 2) begin : gen_refuse
     $error("rc_mul: AW and BW must be at least 2");
   end
-  if (Stages == 1 || Sums < 1 || Sums > 2 || Stages > 2 + Sums) begin : gen_refuse_2
+  if (Stages == 1 || Sums < 1 || Sums > 2 || Stages > 2 + Sums) begin : gen_refuse_stages
     $error("rc_mul: Stages must be 0 or lie in 2..2 + Sums, and Sums be 1 or 2");
   end
 

@@ -2,7 +2,7 @@
 // parts. So half as many multipliers suffice, and each computes a product in two cycles.
 //
 // Products * 2 parts share the multipliers. All products are ready rc_pkg::MulStages + Share - 1 +
-// rc_pkg::Cut cycles after the operands. Proof: tests/formal/mul_shared.sv.
+// rc_pkg::PathCut cycles after the operands. Proof: tests/formal/mul_shared.sv.
 `default_nettype none
 module rc_mul_parts #(
   parameter  int unsigned AW       = 18,

@@ -32,11 +32,11 @@ module rc_power #(
 
   always_comb begin
     s0_below = 5'd17;   // c = 0
-    if (rc_pkg::ShadeCut != 0 || ends[0])
+    if (rc_pkg::PassCut != 0 || ends[0])
       for (int i = 0; i < 17; i++) if (c_i[i]) s0_below = 5'd16 - 5'(i);
   end
 
-  rc_path_register #(.Width(5), .Stages(rc_pkg::ShadeCut)) u_below (
+  rc_path_register #(.Width(5), .Stages(rc_pkg::PassCut)) u_below (
     .clk_i, .data_i(s0_below), .data_o(s0_by));
 
   always_comb begin
@@ -130,7 +130,7 @@ module rc_power #(
   logic [16:0] s7_power_q;
 
   assign s6_sum = {1'b0, s6_g_q} + (19'd1 << s6_whole_q);
-  rc_path_register #(.Width(19), .Stages(rc_pkg::ShadeCut)) u_up (
+  rc_path_register #(.Width(19), .Stages(rc_pkg::PassCut)) u_up (
     .clk_i, .data_i(s6_sum), .data_o(s6_up));
   assign s6_moved = s6_up >> s6_whole_q;
   always_ff @(posedge clk_i) if (ends[6]) s7_power_q <= s6_none_q ? '0 : s6_moved[17:1];

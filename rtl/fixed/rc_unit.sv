@@ -47,7 +47,7 @@ module rc_unit #(
 
   assign s1_any = s1_size_q[0 +: VectorW] | s1_size_q[VectorW +: VectorW]
                 | s1_size_q[2*VectorW +: VectorW];
-  rc_path_register #(.Width(VectorW), .Stages(rc_pkg::ShadeCut)) u_any (
+  rc_path_register #(.Width(VectorW), .Stages(rc_pkg::PassCut)) u_any (
     .clk_i, .data_i(s1_any), .data_o(s1_any_late));
 
   always_comb begin

@@ -124,7 +124,7 @@ module rc_host #(
     some_q <= has_some;
   end
 
-  if (rc_pkg::Streams != 0) begin : gen_rays
+  if (rc_pkg::IsStream) begin : gen_rays
     assign has_some = frame_o.ray_count != '0;
     assign prepared = 32'(frame_o.ray_count);
   end else begin : gen_picture

@@ -32,7 +32,7 @@ module rc_cache #(
   parameter  int unsigned Words    = 1,    // of a line
   parameter  int unsigned Mshrs    = 8,    // lines in flight at most
   parameter  int unsigned Queue    = 4,    // answers that may wait, 2 or more
-  parameter  int unsigned Cut      = rc_pkg::Cut,
+  parameter  int unsigned Cut      = rc_pkg::PathCut,
   localparam int unsigned PartB    = $clog2(Parts),
   localparam int unsigned WordB    = $clog2(Words),
   localparam int unsigned MissIdW  = (Mshrs < 2 ? 1 : $clog2(Mshrs)) + WordB
@@ -64,13 +64,13 @@ module rc_cache #(
   if (Parts < 1 || Parts > 2) begin : gen_refuse
     $error("rc_cache: Parts must be 1 or 2");
   end
-  if (IdBits < 1 || PartW < 1) begin : gen_refuse_2
+  if (IdBits < 1 || PartW < 1) begin : gen_refuse_widths
     $error("rc_cache: IdBits and PartW must be at least 1");
   end
-  if (Queue < 2) begin : gen_refuse_3
+  if (Queue < 2) begin : gen_refuse_queue
     $error("rc_cache: Queue must be at least 2");
   end
-  if (AddrBits <= WordB + $clog2(Sets)) begin : gen_refuse_4
+  if (AddrBits <= WordB + $clog2(Sets)) begin : gen_refuse_address
     $error("rc_cache: AddrBits must leave a tag");
   end
 

@@ -43,13 +43,13 @@ module rc_tags #(
   if (TagW < 1) begin : gen_refuse
     $error("rc_tags: TagW must be at least 1");
   end
-  if (Sets < 1 || (Sets & (Sets - 1)) != 0) begin : gen_refuse_2
+  if (Sets < 1 || (Sets & (Sets - 1)) != 0) begin : gen_refuse_sets
     $error("rc_tags: Sets and Ways must be powers of two");
   end
-  if (Ways < 1 || (Ways & (Ways - 1)) != 0) begin : gen_refuse_3
+  if (Ways < 1 || (Ways & (Ways - 1)) != 0) begin : gen_refuse_ways
     $error("rc_tags: Sets and Ways must be powers of two");
   end
-  if (Cut > 1) begin : gen_refuse_4
+  if (Cut > 1) begin : gen_refuse_cut
     $error("rc_tags: Cut must be 0 or 1");
   end
 

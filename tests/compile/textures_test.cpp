@@ -248,7 +248,7 @@ TEST_CASE("textures share texels exactly if their picture and wrap modes are the
     CHECK(image.lines() == *lines.rbegin() + 1);
     CHECK((read[0].nearest == 0 && read[1].nearest == 1));
     CHECK((read[0].last_level == 4 && read[1].last_level == 0));   // without mip levels
-    CHECK((WrapMode(read[2].wrap_t) == WrapMode::clamp && WrapMode(read[2].wrap_s) == WrapMode::repeat));
+    CHECK((read[2].wrap_t == WrapMode::clamp && read[2].wrap_s == WrapMode::repeat));
     for (std::size_t i = 0; i < 5; ++i) CHECK(image.words[16 * i] == 0xdeadbeef);
 }
 
@@ -290,8 +290,8 @@ TEST_CASE("a record holds the nearest numbers to a triangle's coordinates and de
                    : wrap == Wrap::mirror ? WrapMode::mirror
                                           : WrapMode::clamp;
         };
-        REQUIRE(WrapMode(record.wrap_s) == mode(texture.wrap_s));
-        REQUIRE(WrapMode(record.wrap_t) == mode(texture.wrap_t));
+        REQUIRE(record.wrap_s == mode(texture.wrap_s));
+        REQUIRE(record.wrap_t == mode(texture.wrap_t));
         const auto [area, texels] = areas(scene, i, lattice.pitch);
         const long double exact =
             area > 0 && texels > 0 ? 64 * (std::log2(texels / area) / 2 - config.t_frac_bits) : -most;

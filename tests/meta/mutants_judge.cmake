@@ -88,7 +88,7 @@ mutant(judge_sphere_t_rounded_down FILE model/unit/isect/test_primitive.cpp TEST
 # ---- Planes beyond the lattice.
 mutant(judge_finite_ray_meets_planes FILE model/unit/isect/test_primitive.cpp TEST simulate
   "scenes/pebble.json --depth 1"
-  OLD [[if (ray.is_partial && ends_at_any(ray.kind) == (PrimKind(prim.kind) == PrimKind::plane)) return;]]
+  OLD [[if (ray.is_partial && ends_at_any(ray.kind) == (prim.kind == PrimKind::plane)) return;]]
   NEW [[]])
 mutant(judge_lights_all_in_the_eye_s_cell FILE model/compile/surfaces.cpp TEST simulate
   "scenes/pond.json --depth 2"

@@ -30,8 +30,8 @@ mutant(stream_blames_sched FILE rtl/rc_pipeline.sv TEST system [stream]
   OLD [[: rc_pkg::RaygenStarvedStream;]]
   NEW [[: rc_pkg::RaygenStarvedSched;]])
 mutant(stream_blames_raygen FILE rtl/unit/sched/rc_sched.sv TEST system [stream]
-  OLD [[rc_pkg::Streams != 0 ? rc_pkg::SchedStalledStream]]
-  NEW [[rc_pkg::Streams == 2 ? rc_pkg::SchedStalledStream]])
+  OLD [[rc_pkg::IsStream ? rc_pkg::SchedStalledStream]]
+  NEW [[1'b0 ? rc_pkg::SchedStalledStream]])
 mutant(stream_segment_leads_away FILE model/compile/stream.cpp TEST system "hits of a stream*"
   OLD [[record.d[k] = begin[k] - record.o[k];]]
   NEW [[record.d[k] = record.o[k] - begin[k];]])

@@ -247,8 +247,8 @@ mutant(simulate_tex_light_ignores_an_opaque_cutout FILE model/unit/list/ray_test
   OLD [[            --holes_;]]
   NEW [[            ;]])
 mutant(simulate_tex_cutouts_not_marked FILE model/compile/surfaces.cpp TEST simulate "room --depth 1"
-  OLD [[prim.kind = std::uint32_t(PrimKind::cutout);]]
-  NEW [[prim.kind = std::uint32_t(PrimKind::triangle);]])
+  OLD [[prim.kind = PrimKind::cutout;]]
+  NEW [[prim.kind = PrimKind::triangle;]])
 mutant(simulate_tex_log_at_the_start_of_its_part FILE ${tex_model} TEST simulate "room --depth 1"
   OLD [=[log_table()[step * i + step / 2]]=]
   NEW [=[log_table()[step * i]]=])
@@ -434,8 +434,8 @@ mutant(tex_tri_cutout_has_no_weights FILE rtl/unit/isect/rc_tri.sv TEST unit
   NEW [[!pre_any;]])
 mutant(tex_tri_cutout_for_every_ray FILE rtl/unit/isect/rc_tri.sv TEST unit
   "tri of a chip that shades decides exactly and measures within its bound - Rtl<TriUnit>"
-  OLD [[rc_pkg::HasTextures == 1 && in_any && in.prim_kind]]
-  NEW [[rc_pkg::HasTextures == 1 && in.prim_kind]])
+  OLD [[rc_pkg::HasTextures && in_any && in.prim_kind]]
+  NEW [[rc_pkg::HasTextures && in.prim_kind]])
 mutant(tex_pass_light_after_the_next FILE rtl/unit/shade/rc_pass.sv TEST unit ${light_pass}
   OLD [[= given.light - 7'd1;]]
   NEW [[= given.light;]])
@@ -547,8 +547,8 @@ mutant(simulate_tex_plane_from_its_own_point FILE model/compile/plane.cpp TEST s
   OLD [[corners[0] += on.at[i] * step[i];]]
   NEW [[corners[0] += 0.3 * step[i];]])
 mutant(simulate_tex_far_path_saturates FILE model/unit/shade/surf.cpp TEST simulate "${globe} --size 200x150"
-  OLD [[c.planes && PrimKind(in.surface.kind) == PrimKind::plane &&]]
-  NEW [[c.planes && PrimKind(in.surface.kind) == PrimKind::sphere &&]])
+  OLD [[c.planes && in.surface.kind == PrimKind::plane &&]]
+  NEW [[c.planes && in.surface.kind == PrimKind::sphere &&]])
 mutant(simulate_tex_sphere_axes_swapped FILE model/unit/shade/surf.cpp TEST simulate ${globe}
   OLD [[half * std::abs(n[0]) / sum, q = half * std::abs(n[2]) / sum;]]
   NEW [[half * std::abs(n[2]) / sum, q = half * std::abs(n[0]) / sum;]])

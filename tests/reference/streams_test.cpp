@@ -46,7 +46,7 @@ TEST_CASE("Embree answers the rays of a stream as the chip does, except for its 
         const auto record = unpack<RayRecord>(stream.job.image.record(std::uint32_t(i)), config);
         const EmbreeJudge judge{rounded, vector_of(record.o) / unit, glm::normalize(vector_of(record.d))};
         const Hit theirs = embree.trace(judge.origin, judge.direction);
-        if (RayKind(record.kind) == RayKind::bounce) {
+        if (record.kind == RayKind::bounce) {
             const std::uint32_t ours = answers[i].found ? answers[i].prim : no_primitive;
             ++closest;
             found += ours != no_primitive;
@@ -54,9 +54,8 @@ TEST_CASE("Embree answers the rays of a stream as the chip does, except for its 
             ++(judge.explains(ours, theirs.primitive) ? disputed : unexplained);
             continue;
         }
-        const double length = RayKind(record.kind) == RayKind::shadow
-                                  ? glm::length(vector_of(record.d)) / unit
-                                  : std::numeric_limits<double>::infinity();
+        const double length = record.kind == RayKind::shadow ? glm::length(vector_of(record.d)) / unit
+                                                             : std::numeric_limits<double>::infinity();
         const bool theirs_found = theirs.primitive != no_primitive && theirs.depth < length;
         blocked += theirs_found;
         other += theirs_found != (answers[i].found != 0);

@@ -377,11 +377,11 @@ TEST_CASE("a request for any hit without an end has no end, however short its di
             const glm::dvec3 direction{other, size, 0};
             const auto endless = on_lattice({{1, 2, 3}, direction, 0, inf, true}, lattice, config);
             REQUIRE(endless);
-            CHECK(RayKind(endless->record.kind) == RayKind::away);
+            CHECK(endless->record.kind == RayKind::away);
             const double ten = 10 / size;
             const auto ended = on_lattice({{1, 2, 3}, direction, 0, ten, true}, lattice, config);
             REQUIRE(ended);
-            CHECK(RayKind(ended->record.kind) == RayKind::shadow);
+            CHECK(ended->record.kind == RayKind::shadow);
             CHECK(ended->record.o[1] == 12 << config.origin_frac());
         }
     }
@@ -389,7 +389,7 @@ TEST_CASE("a request for any hit without an end has no end, however short its di
     const auto endless =
         on_lattice({{1, 2, 3}, {0, StreamRay::least_size, 0}, 0, inf, true}, lattice, config);
     REQUIRE(endless);
-    CHECK(RayKind(endless->record.kind) == RayKind::away);
+    CHECK(endless->record.kind == RayKind::away);
     lattice.pitch = glm::dvec3(1);
     for (const double far : {StreamRay::max_size, -StreamRay::max_size}) {
         const auto made = on_lattice({{0, far, 0}, {0, -far, 0}, 0, inf, false}, lattice, config);
@@ -410,7 +410,7 @@ TEST_CASE("a segment that ends beyond all vertices needs no end, or meets nothin
         const auto made = on_lattice(ray, lattice, config);
         REQUIRE(made);
         if (made->record == ray_to_nowhere(config)) return "nothing";
-        return RayKind(made->record.kind) == RayKind::shadow ? "segment" : "endless";
+        return made->record.kind == RayKind::shadow ? "segment" : "endless";
     };
     for (const int axis : {0, 1, 2})
         for (const double side : {1.0, -1.0}) {

@@ -24,7 +24,7 @@ public:
     void answered(const Closest&) override {}
     void passed(const PassIn& in, const PassOut& out) override {
         const bool is_arrival = !meets_cutout(in) && event_of(in) == ShadeEvent::arrive && in.hit.found;
-        if (is_arrival && PrimKind(in.surface.kind) == PrimKind::triangle)
+        if (is_arrival && in.surface.kind == PrimKind::triangle)
             ++surfaces, textured += in.surface.record != 0;
         if (meets_cutout(in)) values["a cut-out has a texture"].insert(in.surface.record != 0);
         if (in.state.pending == Pending::texture && in.hole)
@@ -33,7 +33,8 @@ public:
     }
     void filtered(const TexReq& hit, const TexRecord& record, const TexelPlace& place,
                   const TexRsp& answer) override {
-        values["filter"].insert(9 * record.nearest + 3 * record.wrap_s + record.wrap_t);
+        values["filter"].insert(9 * record.nearest + 3 * std::uint32_t(record.wrap_s) +
+                                std::uint32_t(record.wrap_t));
         for (const std::uint32_t side : {record.log_width, record.log_height}) values["side"].insert(side);
         values["level"].insert(place.level);
         values["last level"].insert(record.last_level);

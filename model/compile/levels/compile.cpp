@@ -241,7 +241,7 @@ std::vector<PrimData> snapped_triangles(const SharedMesh& mesh, const MeshClass&
             return snapped_corner(made, mesh, mesh.triangles[i].vertex[k]);
         };
         const PrimData prim{corner(0), corner(mirrored ? 2 : 1), corner(mirrored ? 1 : 2), std::uint32_t(i),
-                            0};
+                            PrimKind::triangle};
         if (made.deforms || counts(prim, config)) all.push_back(prim);
     }
     return all;

@@ -32,7 +32,7 @@ WideSlant widen(const Slant& slant, int node_width) {
 }
 
 Vec3i slant_direction(const Ray& ray, const Config& config) {
-    if (RayKind(ray.kind) == RayKind::shadow) return ray.d;
+    if (ray.kind == RayKind::shadow) return ray.d;
     Vec3i d{};
     for (std::size_t k = 0; k < 3; ++k) d[k] = ray.d[k] * (1 << (config.ray_dir_bits() - config.dir_bits));
     return d;

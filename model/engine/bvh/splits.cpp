@@ -70,7 +70,7 @@ public:
         clippers_.reserve(prims.size());
         for (std::size_t i = 0; i < prims.size(); ++i) {
             clippers_.emplace_back(prims[i], config.coord_bits, config.is_sheared() ? 1 : 0);
-            endless_[i] = PrimKind(prims[i].kind) == PrimKind::plane;
+            endless_[i] = prims[i].kind == PrimKind::plane;
             if (!endless_[i]) all.add(boxes[i]);
         }
         if (!is_empty(all)) least_ = least_overlap * all.area();

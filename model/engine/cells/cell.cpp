@@ -39,7 +39,7 @@ Pieces::Pieces(const std::vector<PrimData>& prims, const Config& config) : space
     clippers_.reserve(prims.size());
     for (std::uint32_t i = 0; i < prims.size(); ++i) {
         clippers_.emplace_back(prims[i], config.coord_bits, config.is_sheared() ? 1 : 0);
-        if (PrimKind(prims[i].kind) == PrimKind::plane) endless_.push_back(i);
+        if (prims[i].kind == PrimKind::plane) endless_.push_back(i);
     }
 }
 

@@ -57,7 +57,7 @@ Corner corner(const Vec3i& p) { return {double(p[0]), double(p[1]), double(p[2])
 }   // namespace
 
 Clipper::Clipper(const PrimData& prim, int coord_bits, int margin) : prim_(prim), margin_(margin) {
-    if (PrimKind(prim.kind) == PrimKind::sphere) {
+    if (prim.kind == PrimKind::sphere) {
         const std::int32_t far = 1 << (coord_bits - 1);
         const std::uint64_t square = radius_squared(prim, coord_bits);
         radius_ = std::int64_t(std::sqrt(double(square)));
@@ -92,7 +92,7 @@ Clipper::Reach Clipper::reach(const Vec3i& n) const {
         }
         return reach;
     }
-    if (PrimKind(prim_.kind) == PrimKind::sphere) {
+    if (prim_.kind == PrimKind::sphere) {
         const auto most = std::int64_t(double(radius_ + 1) * std::sqrt(double(across(n))) + 1);
         return {across(prim_.a) - most, across(prim_.a) + most};   // a step more than the radius
     }
@@ -111,8 +111,7 @@ std::optional<LatticeBox> Clipper::operator()(const LatticeBox& cell, Walls wall
         whole = whole && common.lo[k] == bounds_.lo[k] && common.hi[k] == bounds_.hi[k];
     }
     if (is_full_) return common;
-    if (PrimKind(prim_.kind) == PrimKind::sphere)
-        return meets_sphere(cell) ? std::optional(common) : std::nullopt;
+    if (prim_.kind == PrimKind::sphere) return meets_sphere(cell) ? std::optional(common) : std::nullopt;
     return whole && walls.empty() ? std::optional(common) : triangle(cell, walls);
 }
 

@@ -102,7 +102,7 @@ Farthest farthest_bead(std::span<const Bead> beads, const glm::dvec3& from) {
 
 void add_beads(const PrimData& prim, const Config& config, std::vector<Bead>& out) {
     const auto point = [](const Vec3i& p) { return glm::dvec3(p[0], p[1], p[2]); };
-    switch (PrimKind(prim.kind)) {
+    switch (prim.kind) {
         case PrimKind::sphere:
             out.push_back({point(prim.a), std::sqrt(double(radius_squared(prim, config.coord_bits)))});
             return;

@@ -79,8 +79,7 @@ GlobeRay globe_ray(const Ray& ray, const Config& config) {
     for (const std::int32_t d : ray.d) used |= std::uint32_t(d ^ d >> 31);
     out.len = std::uint32_t(std::bit_width(used));
     const int up = toward_bits - 1 - int(out.len);
-    if (RayKind(ray.kind) != RayKind::shadow)
-        out.len += std::uint32_t(config.ray_dir_bits() - config.dir_bits);
+    if (ray.kind != RayKind::shadow) out.len += std::uint32_t(config.ray_dir_bits() - config.dir_bits);
     constexpr std::int32_t most = (1 << (toward_bits - 1)) - 1;
     for (std::size_t k = 0; k < 3; ++k)
         out.toward[k] = up >= 0 ? ray.d[k] * (1 << up) : std::min((ray.d[k] + (1 << (-up - 1))) >> -up, most);

@@ -47,8 +47,8 @@ std::uint32_t coordinate(Wide edge, Wide det, const Config& config) {
 /// True for rays whose origin has B fraction bits: bounces, rays away to a light, and camera rays in an
 /// instance.
 bool leaves_surface(const Ray& ray, const Config& config) {
-    return RayKind(ray.kind) == RayKind::bounce || RayKind(ray.kind) == RayKind::away ||
-           (config.has_instances() && RayKind(ray.kind) == RayKind::camera);
+    return ray.kind == RayKind::bounce || ray.kind == RayKind::away ||
+           (config.has_instances() && ray.kind == RayKind::camera);
 }
 
 /// True if the ray begins beyond the lattice, and so meets only planes.
@@ -56,11 +56,11 @@ bool is_far(const Ray& ray) { return ray.is_partial && !ends_at_any(ray.kind); }
 
 /// Tests any ray against a triangle or plane.
 void flat_test(const Ray& ray, const PrimData& prim, const Best& best, const Config& config, TriRsp& out) {
-    if (ray.is_partial && ends_at_any(ray.kind) == (PrimKind(prim.kind) == PrimKind::plane)) return;
-    const bool shadow = RayKind(ray.kind) == RayKind::shadow;
+    if (ray.is_partial && ends_at_any(ray.kind) == (prim.kind == PrimKind::plane)) return;
+    const bool shadow = ray.kind == RayKind::shadow;
     const int frac = config.origin_frac() - (is_far(ray) ? far_drop : 0),
               scale = leaves_surface(ray, config) ? frac : 0;
-    const bool edges_count = PrimKind(prim.kind) != PrimKind::plane;
+    const bool edges_count = prim.kind != PrimKind::plane;
     Edges<Wide> e;
     bool flip = false;
     if (!meet(offset(ray.o, prim.a, frac, scale), {ray.d[0], ray.d[1], ray.d[2]}, prim, scale, edges_count, e,
@@ -70,7 +70,7 @@ void flat_test(const Ray& ray, const PrimData& prim, const Best& best, const Con
            "num and det fit their widths");
     if (ends_at_any(ray.kind)) {
         const bool is_in_way = !shadow || e.num * (Wide(1) << frac) < e.det;
-        out.cutout = is_in_way && PrimKind(prim.kind) == PrimKind::cutout;
+        out.cutout = is_in_way && prim.kind == PrimKind::cutout;
         if (!out.cutout) {
             out.closer = is_in_way;
             return;
@@ -121,14 +121,13 @@ bool shades(const Ray& ray, const PrimData& sphere, const Config& config) {
 void sphere_test(const Ray& ray, const PrimData& sphere, const Best& best, const Config& config,
                  TriRsp& out) {
     if (is_far(ray)) return;
-    if (RayKind(ray.kind) == RayKind::shadow) {
+    if (ray.kind == RayKind::shadow) {
         out.closer = shades(ray, sphere, config);
         return;
     }
     const int scale = config.origin_frac();
     const Meeting m = meeting(ray, sphere, scale, config);
-    const bool own =
-        leaves_surface(ray, config) && RayKind(ray.kind) != RayKind::camera && sphere.prim == ray.self;
+    const bool own = leaves_surface(ray, config) && ray.kind != RayKind::camera && sphere.prim == ray.self;
     if (own && !ray.is_inside) return;
     const bool outside = m.power > 0, far = own || !outside;
     if (far && !is_seen_inside(sphere)) return;
@@ -174,12 +173,11 @@ Root root(WideNatural square) {
 void test_primitive(const Ray& ray, const PrimData& prim, const Best& best, const Config& config,
                     TriRsp& out) {
     no_hit(out);
-    const PrimKind kind = config.has_kinds() ? PrimKind(prim.kind) : PrimKind::triangle;
+    const PrimKind kind = config.has_kinds() ? prim.kind : PrimKind::triangle;
     if (kind == PrimKind::sphere) return sphere_test(ray, prim, best, config, out);
     // Always true, as only camera rays compare with hits of camera rays.
     const bool short_best = !best.found || (best.num | best.det) >> 63 == 0;
-    if (kind == PrimKind::plane || RayKind(ray.kind) != RayKind::camera || !short_best ||
-        config.has_instances())
+    if (kind == PrimKind::plane || ray.kind != RayKind::camera || !short_best || config.has_instances())
         return flat_test(ray, prim, best, config, out);
     Vec3i o;
     for (std::size_t k = 0; k < 3; ++k) o[k] = ray.o[k] >> config.origin_frac();

@@ -72,7 +72,7 @@ public:
     /// Starts a new ray without a hit.
     void start(const Start& start) {
         ray_ = start.ray;
-        hit_ = {start, reaches_[start.kind]};
+        hit_ = {start, reaches_[std::size_t(start.kind)]};
     }
     /// Accepts trav's leaves. prim() is the first to test.
     void begin(const Leaves& leaves) {

@@ -69,7 +69,7 @@ Ray make_ray(const Vec3i& o, const Vec3i& d, const Config& config, RayKind kind)
     Ray ray;
     ray.o = o;
     ray.d = d;
-    ray.kind = std::uint32_t(kind);
+    ray.kind = kind;
     const auto shorter = std::uint32_t(kind == RayKind::shadow ? 0 : config.ray_dir_bits() - config.dir_bits);
     for (std::size_t k = 0; k < 3; ++k) {
         const Recip r = reciprocal(d[k], config);
@@ -81,11 +81,10 @@ Ray make_ray(const Vec3i& o, const Vec3i& d, const Config& config, RayKind kind)
 }
 
 Ray spawn_ray(const Spawn& spawn, const Frame& frame, const Config& config) {
-    const auto kind = RayKind(spawn.kind);
-    Ray ray = kind == RayKind::camera
+    Ray ray = spawn.kind == RayKind::camera
                   ? make_ray(ray_origin(frame.eye, config),
                              sample_direction(spawn.x, spawn.y, spawn.sample, frame, config), config)
-                  : make_ray(spawn.o, spawn.d, config, kind);
+                  : make_ray(spawn.o, spawn.d, config, spawn.kind);
     ray.ray = spawn.ray;
     ray.self = spawn.self;
     ray.is_inside = spawn.is_inside;
@@ -96,7 +95,7 @@ Ray spawn_ray(const Spawn& spawn, const Frame& frame, const Config& config) {
 }
 
 Ray recorded_ray(const RayRecord& record, std::uint32_t context, const Config& config) {
-    Ray ray = make_ray(record.o, record.d, config, RayKind(record.kind));
+    Ray ray = make_ray(record.o, record.d, config, record.kind);
     ray.ray = context;
     return ray;
 }

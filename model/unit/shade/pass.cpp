@@ -44,7 +44,7 @@ void next_light(ShadeState& s, std::uint32_t light, const Frame& frame, const Co
 Spawn spawn_of(const PassIn& in, const ShadeState& s, RayKind kind) {
     Spawn spawn;
     spawn.ray = in.ray;
-    spawn.kind = std::uint32_t(kind);
+    spawn.kind = kind;
     spawn.x = s.x, spawn.y = s.y, spawn.sample = s.sample;
     return spawn;
 }
@@ -60,7 +60,7 @@ void see_background(ShadeState& s, std::uint32_t weight, const Frame& frame) {
 
 /// Returns the plane's bit in a cell if it is a pane.
 std::uint32_t pane_of(const Surface& surface, const Config& c) {
-    if (PrimKind(surface.kind) != PrimKind::plane) return 0;
+    if (surface.kind != PrimKind::plane) return 0;
     return std::uint32_t(surface.normal[4]) & ((1u << c.panes) - 1);
 }
 

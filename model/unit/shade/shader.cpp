@@ -27,13 +27,13 @@ void Shader::sent(const Ray& ray) {
 void Shader::count(ShadeEvent event) {
     counts_.refraction += out_.refracted;
     if (out_.leave != PassOut::Leave::spawn) return;
-    counts_.primary += out_.spawn.kind == std::uint32_t(RayKind::camera);
+    counts_.primary += out_.spawn.kind == RayKind::camera;
     counts_.shadow += event == ShadeEvent::light;
     counts_.reflection += event == ShadeEvent::reflect;
 }
 
 RayPurpose Shader::purpose() const {
-    if (out_.spawn.kind == std::uint32_t(RayKind::camera)) return RayPurpose::camera;
+    if (out_.spawn.kind == RayKind::camera) return RayPurpose::camera;
     return last_ == ShadeEvent::light     ? RayPurpose::shadow
            : last_ == ShadeEvent::reflect ? RayPurpose::reflection
                                           : RayPurpose::refraction;

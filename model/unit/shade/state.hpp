@@ -14,6 +14,7 @@ enum class ShadeEvent : std::uint32_t {
     transform,   ///< with two levels, after arrive: maps the surface from the mesh's space to the scene's
     texture,     ///< after these, on a textured surface: its colour has arrived
 };
+constexpr int shade_event_bits = 3;
 
 /// When the next pass adds the contribution of a light at its beginning.
 enum class Pending : std::uint32_t {
@@ -22,6 +23,7 @@ enum class Pending : std::uint32_t {
     sure,
     texture   ///< not at all: the texture of a cut-out decides whether the shadow ray is sent again
 };
+constexpr int pending_bits = 2;
 
 /// The state of a context. Fractions have unit_bits bits unless stated otherwise.
 struct ShadeState {
@@ -70,8 +72,8 @@ struct ShadeState {
     template <class V> void fields(V& v_, const Config& c) {
         v_("x", x, c.pixel_bits);
         v_("y", y, c.pixel_bits);
-        v_("next_event", next_event, 3);
-        v_("pending", pending, 2);
+        v_("next_event", next_event, shade_event_bits);
+        v_("pending", pending, pending_bits);
         v_("found", found, 1);
         v_("prim", prim, c.prim_bits);
         v_("t", t, c.t_bits());
@@ -80,7 +82,7 @@ struct ShadeState {
         v_("colour", colour, unit_bits + 1, 3);
         v_("weight", weight, unit_bits + 1);
         v_("depth", depth, depth_bits);
-        v_("light", light, 7);
+        v_("light", light, light_number_bits);
         if (c.panes > 0) {
             v_("in_cell", in_cell, c.panes);
             v_("across", across, c.panes);

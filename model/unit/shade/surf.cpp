@@ -95,8 +95,8 @@ void transform_surface(const PassIn& in, const Config& c, ShadeState& state) {
 
 std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& c, ShadeState& state) {
     const Surface& s = in.surface;
-    const bool is_sphere = c.spheres && PrimKind(s.kind) == PrimKind::sphere,
-               is_plane = c.planes && PrimKind(s.kind) == PrimKind::plane;
+    const bool is_sphere = c.spheres && s.kind == PrimKind::sphere,
+               is_plane = c.planes && s.kind == PrimKind::plane;
     const int b = c.origin_bits;
     Vec3l toward{};   // the normal before normalisation
     state.is_far = state.is_lost = 0;
@@ -136,7 +136,7 @@ std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& c, ShadeState&
 
     if (c.has_textures()) {
         state.ambient = s.ambient, state.record = s.record;
-        state.is_round = c.spheres && PrimKind(s.kind) == PrimKind::sphere;
+        state.is_round = c.spheres && s.kind == PrimKind::sphere;
         state.path = path_to(in, state, c);
         if (s.record != 0) return {};   // the texture event adds it
     }
@@ -184,8 +184,7 @@ std::uint64_t length_of(Vec3l v) {
 }   // namespace
 
 std::uint32_t path_to(const PassIn& in, const ShadeState& state, const Config& c) {
-    const bool is_far =
-        c.planes && PrimKind(in.surface.kind) == PrimKind::plane && in.hit.t == (1u << c.t_bits()) - 1;
+    const bool is_far = c.planes && in.surface.kind == PrimKind::plane && in.hit.t == (1u << c.t_bits()) - 1;
     std::uint64_t length = 0;
     if (is_far) {
         Vec3l way{};

@@ -109,7 +109,7 @@ TexelPlace texel_place(const TexReq& hit, const TexRecord& record, std::int32_t 
         hit.path != 0 && is_saturated(hit, config) ? record.last_level : level_of(hit, record, spread);
     const int log_width = std::max(int(record.log_width) - int(place.level), 0),
               log_height = std::max(int(record.log_height) - int(place.level), 0);
-    const auto wrap_s = WrapMode(record.wrap_s), wrap_t = WrapMode(record.wrap_t);
+    const auto wrap_s = record.wrap_s, wrap_t = record.wrap_t;
     const std::uint32_t x = in_texels(wrapped(interpolated(record.s, hit, config), wrap_s), log_width,
                                       record.nearest != 0, wrap_s),
                         y = in_texels(wrapped(interpolated(record.t, hit, config), wrap_t), log_height,

@@ -32,7 +32,7 @@ Vec3i moved_direction(const Placement& p, const Vec3i& d, const Config& config) 
 
 Change xform(const XformReq& req, const Config& config) {
     const Placement& p = req.placement;
-    const auto kind = RayKind(req.kind);
+    const auto kind = req.kind;
     const bool is_home = config.has_homes() && kind != RayKind::camera && req.home.line == p.here;
     const Ray moved = is_home ? make_ray(req.home.o, req.home.d, config, kind)
                               : make_ray(moved_point(p, req.o, kind, config),

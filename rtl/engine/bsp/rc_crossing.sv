@@ -40,7 +40,7 @@ module rc_crossing #(
   localparam int unsigned LengthW   = 6;                        // a length; a right shift
   localparam int unsigned ShiftW    = 8;                        // bits of a shift, signed
   localparam int unsigned Mul       = rc_pkg::MulStages;
-  localparam int unsigned Cut       = rc_pkg::Cut;
+  localparam int unsigned Cut       = rc_pkg::PathCut;
   localparam int unsigned Div       = QuotientW / rc_pkg::QuotientBits;
 
   // The answer, except for the times.

@@ -26,7 +26,7 @@ module rc_slant (
   localparam int unsigned Latency         = rc_pkg::SlantLatency;
 
   // Stages in which a slant has arrived, and its planes' times are ready.
-  localparam int unsigned In   = rc_pkg::Cut;
+  localparam int unsigned In   = rc_pkg::PathCut;
   localparam int unsigned Meet = In + rc_pkg::CrossingStages;
 
   // Admission: an answer has a place in the result queue. valid[i]: stage i holds a slant.

@@ -38,7 +38,7 @@ module rc_box (
   // Stages in which a node has arrived, the intervals of a beat's children are ready, and their
   // intersections are ready. The intersections of the last beat are ready when the node itself is
   // Beats - 1 stages further.
-  localparam int unsigned In   = rc_pkg::Cut;
+  localparam int unsigned In   = rc_pkg::PathCut;
   localparam int unsigned Meet = In + rc_pkg::SlabStages;
   localparam int unsigned Met  = Latency - rc_pkg::RankStages - Beats;
 
@@ -56,7 +56,7 @@ module rc_box (
   // enable[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
   logic [Latency:0] enable;
 
-  assign enable = valid | {(Latency+1){rc_pkg::Cut != 0}};
+  assign enable = valid | {(Latency+1){rc_pkg::PathCut != 0}};
 
   // The same for beats, up to Met. A node's first beat is where the node is; its last is Beats - 1
   // behind.
@@ -66,7 +66,7 @@ module rc_box (
     assign beats[i] = |valid[i+Beats-1:i];
   end
 
-  assign beat_enable = beats | {(Met+1){rc_pkg::Cut != 0}};
+  assign beat_enable = beats | {(Met+1){rc_pkg::PathCut != 0}};
 
   // The node in the front stage, with its planes from this beat on. With one beat this is the
   // request. Fields that do not go to the slabs are used with the first beat only.
@@ -78,7 +78,7 @@ module rc_box (
     assign held       = '0;
   end else begin : gen_hold
     assign occupied_o = |valid_q[Beats-2:0];
-    if (rc_pkg::Cut != 0) begin : gen_front
+    if (rc_pkg::PathCut != 0) begin : gen_front
       assign held = in_flat;
     end else begin : gen_behind
       logic [rc_pkg::BoxReqW-1:0] held_q;

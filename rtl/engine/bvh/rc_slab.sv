@@ -43,7 +43,7 @@ module rc_slab #(
   localparam int unsigned SumW      = ProductW + 1;        // the product plus plane * r, signed
   localparam int unsigned ShiftW    = 8;                   // shift, signed: -24..62
   localparam int unsigned RightW    = 6;                   // right shift of 2^TBits times the value
-  localparam int unsigned Cut       = rc_pkg::Cut;
+  localparam int unsigned Cut       = rc_pkg::PathCut;
   localparam int unsigned Mul       = rc_pkg::MulStages;
 
   // Stages in which the node's corner is shifted, the children's planes are multiplied, their

@@ -11,7 +11,7 @@ module rc_bounds #(
   localparam int unsigned ExpBits     = rc_pkg::ExpBits,
   localparam int unsigned TBits       = rc_pkg::TBits,
   localparam int unsigned PlaneStages = rc_pkg::PlaneStages,
-  localparam int unsigned Stages      = PlaneStages + 1 + rc_pkg::Cut
+  localparam int unsigned Stages      = PlaneStages + 1 + rc_pkg::PathCut
 ) (
   input  logic            clk_i,
   input  logic [Stages-1:0] valid_i,   // valid_i[i]: stage i holds a node

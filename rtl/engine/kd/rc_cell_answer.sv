@@ -7,7 +7,7 @@
 `default_nettype none
 module rc_cell_answer #(
   parameter  int unsigned Latency = rc_pkg::TreeletLatency,   // the unit's, without its queue
-  parameter  int unsigned Meet    = rc_pkg::Cut + rc_pkg::PlaneStages,
+  parameter  int unsigned Meet    = rc_pkg::PathCut + rc_pkg::PlaneStages,
   localparam int unsigned NodeWidth   = rc_pkg::NodeWidth,
   localparam int unsigned NodePlanes  = rc_pkg::NodePlanes,
   localparam int unsigned RayBits     = rc_pkg::RayBits,
@@ -46,8 +46,8 @@ module rc_cell_answer #(
   output logic [rc_pkg::BoxRspW-1:0] rsp_o
 );
   // The stage in which the box's times are ready, and the cycles that they wait.
-  localparam int unsigned In   = rc_pkg::Cut;
-  localparam int unsigned Box  = In + rc_pkg::PlaneStages + 1 + rc_pkg::Cut;
+  localparam int unsigned In   = rc_pkg::PathCut;
+  localparam int unsigned Box  = In + rc_pkg::PlaneStages + 1 + rc_pkg::PathCut;
   localparam int unsigned Wait = Meet + 1 + In - Box;
 
   if (Meet + 1 + In < Box) begin : gen_refuse

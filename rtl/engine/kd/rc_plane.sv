@@ -44,7 +44,7 @@ module rc_plane #(
   localparam int unsigned DistanceW = N + 1;        // distance to the plane, signed
   localparam int unsigned ProductW  = N + R1 - 1;   // times r <= 2^R, if not negative
   localparam int unsigned Mul       = rc_pkg::MulStages;
-  localparam int unsigned Cut       = rc_pkg::Cut;
+  localparam int unsigned Cut       = rc_pkg::PathCut;
 
   // Stages: the distance; then its product, shifted; then both times.
   localparam int unsigned Way = 1 + Cut;

@@ -24,7 +24,7 @@ module rc_treelet (
   localparam int unsigned Latency    = rc_pkg::TreeletLatency;
 
   // Stages in which a treelet has arrived, and its planes' times are ready.
-  localparam int unsigned In   = rc_pkg::Cut;
+  localparam int unsigned In   = rc_pkg::PathCut;
   localparam int unsigned Meet = In + rc_pkg::PlaneStages;
 
   // Admission: an answer has a place in the result queue. valid[i]: stage i holds a treelet.

@@ -64,7 +64,7 @@ module rc_none (
     if (tested_valid_i) s1_ray_q <= tested_i.ray;
   end
 
-  if (rc_pkg::Shading != 0) begin : gen_stop
+  if (rc_pkg::Shading) begin : gen_stop
     always_ff @(posedge clk_i) if (tested_valid_i) s1_stop_q <= tested_i.stop;
   end else begin : gen_go_on
     assign s1_stop_q = 1'b0;

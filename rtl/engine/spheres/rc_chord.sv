@@ -32,7 +32,7 @@ module rc_chord #(
   output logic                    met_o,
   output logic [TBits-1:0]        near_o
 );
-  localparam int unsigned Cut      = rc_pkg::Cut;
+  localparam int unsigned Cut      = rc_pkg::PathCut;
   localparam int unsigned Mul      = rc_pkg::MulStages;
   localparam int unsigned ProductW = GlobeBits + 1 + TowardBits;   // centre times direction, signed
   localparam int unsigned SumW     = MomentW + 1;   // the product plus the node's moment, signed
@@ -187,7 +187,7 @@ module rc_chord #(
   // behind the origin if the way plus half the chord is still below Least.
   localparam int unsigned Along = 3 + Mul + 3 * Cut;   // stage in which both ways are ready
   localparam logic signed [WayW+1:0] Least =
-      rc_pkg::Shading != 0 ? -(WayW + 2)'(99) : -(WayW + 2)'(1);
+      rc_pkg::Shading ? -(WayW + 2)'(99) : -(WayW + 2)'(1);
 
   logic [3*ProductW-1:0]        parts;
   logic signed [ProductW+1:0]   on_two, on_two_q, on_third_q, on_q;

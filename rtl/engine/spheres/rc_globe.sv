@@ -21,7 +21,7 @@ module rc_globe (
   localparam int unsigned GlobeBits = rc_pkg::GlobeBits;
   localparam int unsigned TBits     = rc_pkg::TBits;
   localparam int unsigned Latency   = rc_pkg::GlobeLatency;
-  localparam int unsigned Cut       = rc_pkg::Cut;
+  localparam int unsigned Cut       = rc_pkg::PathCut;
   localparam int unsigned In        = Cut;
 
   // Admission: an answer has a place in the result queue. valid[i]: stage i holds a node.

@@ -41,11 +41,11 @@ module rc_globe_moment #(
   output logic [16:0]           inverse_o,
   output logic [5:0]            right_o
 );
-  localparam int unsigned Cut  = rc_pkg::Cut;
+  localparam int unsigned Cut  = rc_pkg::PathCut;
   localparam int unsigned Mul  = rc_pkg::MulStages;
   localparam int unsigned Sum  = N + 6;     // of three ways and Least, which is below 2^17
   localparam int unsigned Drop = 13;        // bits from the unit of D . e up to an eighth of a step
-  localparam bit          Shades = rc_pkg::Shading != 0;   // origins may lie between lattice points
+  localparam bit          Shades = rc_pkg::Shading;   // origins may lie between lattice points
 
   // D, the way from the origin to the node's corner.
   logic [3*AxisW-1:0] s0_way, way_q;

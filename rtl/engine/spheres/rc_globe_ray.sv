@@ -24,7 +24,7 @@ module rc_globe_ray #(
   output logic [RayBits-1:0]       ray_o,
   output logic [KeptW-1:0]         kept_o    // {o, direction, len}
 );
-  localparam int unsigned Cut   = rc_pkg::Cut;
+  localparam int unsigned Cut   = rc_pkg::PathCut;
   localparam int unsigned Waits = 3 * Cut;
 
   // Bit length of the longest component, and the free bits above it. full_len counts a short

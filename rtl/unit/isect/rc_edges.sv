@@ -43,12 +43,12 @@ module rc_edges #(
   output logic                       v_neg_o
 );
   localparam int unsigned OriginBits = rc_pkg::OriginBits;
-  localparam int unsigned Far = rc_pkg::Horizon == 1 ? OriginBits - rc_pkg::FarDrop : OriginBits;
+  localparam int unsigned Far = rc_pkg::Horizon ? OriginBits - rc_pkg::FarDrop : OriginBits;
   localparam int unsigned DiffW       = N + 1;                   // difference of two points
   localparam int unsigned OriginDiffW = OriginWidth + 1;         // the same with fraction
   localparam int unsigned RayCrossW   = RayDirBits + DiffW + 1;  // component of d x e
   localparam int unsigned EdgeCrossW  = 2 * DiffW + 1;           // component of e1 x e2
-  localparam int unsigned Cut = rc_pkg::Cut;
+  localparam int unsigned Cut = rc_pkg::PathCut;
   localparam int unsigned Mul = rc_pkg::MulStages;
   localparam int unsigned CrossShare = rc_pkg::CrossShare;
   localparam int unsigned DotShare   = rc_pkg::DotShare;
@@ -93,7 +93,7 @@ module rc_edges #(
   rc_shift_register #(.Width(1), .Stages(Dot - 1)) u_leaves (
     .clk_i, .enable_i(enable_i[Dot-2:0]), .data_i(s0_leaves_i), .data_o(dot_leaves));
 
-  if (rc_pkg::Horizon == 1) begin : gen_far
+  if (rc_pkg::Horizon) begin : gen_far
     rc_shift_register #(.Width(1), .Stages(Dot - 1)) u_far (
       .clk_i, .enable_i(enable_i[Dot-2:0]), .data_i(s0_far_i), .data_o(dot_far));
   end else begin : gen_near
@@ -277,8 +277,8 @@ module rc_edges #(
 
   assign end_flip = end_det[EdgeBits-1];
   // For a triangle that is hit, u and v with these signs are their magnitudes.
-  assign end_u_goes = rc_pkg::Planes == 1 ? end_u[EdgeBits-1] : end_flip;
-  assign end_v_turn = rc_pkg::Planes == 1 ? end_v[EdgeBits-1] : end_flip;
+  assign end_u_goes = rc_pkg::Planes ? end_u[EdgeBits-1] : end_flip;
+  assign end_v_turn = rc_pkg::Planes ? end_v[EdgeBits-1] : end_flip;
 
   always_ff @(posedge clk_i) begin
     if (enable_i[Stages-1]) begin

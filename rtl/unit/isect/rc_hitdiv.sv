@@ -33,7 +33,7 @@ module rc_hitdiv #(
   output logic [UvBits-1:0]   u_o,
   output logic [UvBits-1:0]   v_o
 );
-  localparam int unsigned Cut       = rc_pkg::Cut;
+  localparam int unsigned Cut       = rc_pkg::PathCut;
   localparam int unsigned Bits      = rc_pkg::HitBits;    // quotient bits per stage
   localparam int unsigned DivStages = Stages - 2 * Cut;   // stages of the division
   localparam int unsigned Every     = rc_pkg::TriInterval;

@@ -3,7 +3,7 @@
 // shifted back, can replace a root of many bits. Part of rc_sphere.
 //
 // It has Levels stages. Each of them shifts by a power of two of bit pairs if necessary. Latency
-// Levels * rc_pkg::Cut cycles.
+// Levels * rc_pkg::PathCut cycles.
 `default_nettype none
 module rc_normalise #(
   parameter  int unsigned Width  = 8,

@@ -67,7 +67,7 @@ module rc_sphere #(
                                  ? 2 * (M + OriginWidth) : 2 * RootW;
   localparam int unsigned Levels = rc_pkg::SphereLevels;   // of the shift that leaves 2 RootW bits
   localparam int unsigned RightW = Levels > 0 ? Levels : 1;
-  localparam int unsigned Cut    = rc_pkg::Cut;
+  localparam int unsigned Cut    = rc_pkg::PathCut;
   localparam int unsigned Mul    = rc_pkg::MulStages;
   localparam int unsigned Every  = rc_pkg::TriInterval;
   localparam int unsigned Three  = rc_pkg::CrossShare;     // of three products, per multiplier

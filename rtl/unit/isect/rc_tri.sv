@@ -37,7 +37,7 @@ module rc_tri (
   localparam int unsigned RayBits  = rc_pkg::RayBits;
   localparam int unsigned PrimBits = rc_pkg::PrimBits;
   localparam int unsigned Latency  = rc_pkg::TriLatency;
-  localparam int unsigned Cut      = rc_pkg::Cut;
+  localparam int unsigned Cut      = rc_pkg::PathCut;
   localparam int unsigned Mul      = rc_pkg::MulStages;
   localparam int unsigned Share    = rc_pkg::PairShare;    // products or parts, per multiplier
   localparam int unsigned Pair     = rc_pkg::PairStages;   // of a pair of products, without Mul
@@ -45,16 +45,16 @@ module rc_tri (
 
   // Stages in which a triangle has arrived, is tested, and is compared. In Flat all primitives
   // except spheres are done, in Ball the spheres, in Core both.
-  localparam int unsigned In    = Cut + rc_pkg::FarCut;
+  localparam int unsigned In    = Cut + rc_pkg::FarPathCut;
   localparam int unsigned Front = In + (IsSheared ? rc_pkg::ShearStages : rc_pkg::EdgesStages);
   localparam int unsigned Wide  = Front + Mul + Pair;   // the products for the comparison are ready
   localparam int unsigned Pre   = Wide + Cut + 1;
   localparam int unsigned Flat  = Pre + rc_pkg::HitdivStages;
   localparam int unsigned Ball  = In + rc_pkg::SphereStages;
-  localparam int unsigned Core  = rc_pkg::Spheres == 1 && Ball > Flat ? Ball : Flat;
+  localparam int unsigned Core  = rc_pkg::Spheres && Ball > Flat ? Ball : Flat;
   localparam int unsigned Extra = Latency - Core;
-  localparam int unsigned BackW  = rc_pkg::Shading;
-  localparam int unsigned CutoutW = rc_pkg::HasTextures;
+  localparam int unsigned BackW   = rc_pkg::Shading ? 1 : 0;
+  localparam int unsigned CutoutW = rc_pkg::HasTextures ? 1 : 0;
   // Closer, cutout, back, num, det, prim.
   localparam int unsigned TailW  = 1 + CutoutW + BackW + NumBits + EdgeBits + PrimBits;
   localparam int unsigned HitW   = TailW + TBits + 2 * UvBits;
@@ -119,7 +119,7 @@ module rc_tri (
   assign in_b    = in.b;
   assign in_c    = in.c;
 
-  if (rc_pkg::Shading == 1) begin : gen_kind
+  if (rc_pkg::Shading) begin : gen_kind
     assign in_any    = in.kind == rc_pkg::RayShadow || in.kind == rc_pkg::RayAway;
     // In an instance a camera ray's origin has a fraction as well.
     assign in_leaves = in.kind == rc_pkg::RayBounce || in.kind == rc_pkg::RayAway
@@ -129,18 +129,18 @@ module rc_tri (
     assign in_leaves = 1'b0;
   end
 
-  if (rc_pkg::HasKinds == 1) begin : gen_prim_kind
-    assign in_plane  = rc_pkg::Planes == 1 && in.prim_kind == rc_pkg::PrimPlane;
-    assign in_sphere = rc_pkg::Spheres == 1 && in.prim_kind == rc_pkg::PrimSphere;
-    assign in_cutout = rc_pkg::HasTextures == 1 && in_any && in.prim_kind == rc_pkg::PrimCutout;
+  if (rc_pkg::HasPrimKinds) begin : gen_prim_kind
+    assign in_plane  = rc_pkg::Planes && in.prim_kind == rc_pkg::PrimPlane;
+    assign in_sphere = rc_pkg::Spheres && in.prim_kind == rc_pkg::PrimSphere;
+    assign in_cutout = rc_pkg::HasTextures && in_any && in.prim_kind == rc_pkg::PrimCutout;
   end else begin : gen_triangle
     assign in_plane  = 1'b0;
     assign in_sphere = 1'b0;
     assign in_cutout = 1'b0;
   end
 
-  if (rc_pkg::Planes == 1) begin : gen_partial
-    assign in_far   = rc_pkg::Horizon == 1 && in.is_partial && in.kind == rc_pkg::RayBounce;
+  if (rc_pkg::Planes) begin : gen_partial
+    assign in_far   = rc_pkg::Horizon && in.is_partial && in.kind == rc_pkg::RayBounce;
     assign in_skips = in.is_partial && (in_plane ? in_any : in_far);
   end else begin : gen_no_planes
     assign in_far   = 1'b0;
@@ -149,7 +149,7 @@ module rc_tri (
 
   // flat[i]: stage i, of those up to the divisions, holds a primitive that is not a sphere.
   logic [Pre:In] flat;
-  if (rc_pkg::Spheres == 1) begin : gen_flat
+  if (rc_pkg::Spheres) begin : gen_flat
     logic [Pre-In-1:0] flat_q;
 
     assign flat = {flat_q, valid[In] && !in_sphere};
@@ -301,7 +301,7 @@ module rc_tri (
     .clk_i, .rst_ni, .enable_i(flat_enable[Pre-1:In]), .valid_i(flat[Pre-1:In]),
     .data_i(in_number), .data_o(pre_number));
 
-  if (rc_pkg::HasTextures == 1) begin : gen_cutout
+  if (rc_pkg::HasTextures) begin : gen_cutout
     assign in_number                       = {in_cutout, in.prim, in_any};
     assign {pre_cutout, pre_prim, pre_any} = pre_number;
   end else begin : gen_no_cutout
@@ -336,9 +336,9 @@ module rc_tri (
 
   logic [TailW-2:0]  pre_tail, tail;
 
-  if (rc_pkg::HasTextures == 1) begin : gen_back_and_cutout
+  if (rc_pkg::HasTextures) begin : gen_back_and_cutout
     assign pre_tail = {pre_cutout, pre_back, pre_num, pre_det, pre_prim};
-  end else if (rc_pkg::Shading == 1) begin : gen_back
+  end else if (rc_pkg::Shading) begin : gen_back
     assign pre_tail = {pre_back, pre_num, pre_det, pre_prim};
   end else begin : gen_no_back
     assign pre_tail = {pre_num, pre_det, pre_prim};
@@ -357,7 +357,7 @@ module rc_tri (
   logic            closer, blocked;
   logic [HitW-2:0] hit;
 
-  if (rc_pkg::Spheres == 1) begin : gen_sphere
+  if (rc_pkg::Spheres) begin : gen_sphere
     localparam int unsigned BallBestW = 2 + NumBits + EdgeBits;
     localparam int unsigned BestStage = rc_pkg::SphereStages - Mul - 2 - Cut
                                       - (rc_pkg::PairParts == 1 ? 1 + Cut : 0);

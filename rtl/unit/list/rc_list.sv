@@ -116,10 +116,10 @@ module rc_list (
   assign s0_best.best_det  = s0_rsp.det;
   assign s0_best.best_prim = s0_rsp.prim;
 
-  if (rc_pkg::Shading != 0) begin : gen_side
+  if (rc_pkg::Shading) begin : gen_side
     assign s0_hit.back = s0_rsp.back;
   end
-  if (rc_pkg::HasTextures == 1) begin : gen_cutout
+  if (rc_pkg::HasTextures) begin : gen_cutout
     assign s0_hit.cutout = s0_rsp.cutout;
   end
   assign s0_hit.prim = s0_rsp.prim;
@@ -145,7 +145,7 @@ module rc_list (
     .clk_i, .rst_ni, .clear_i(start_fires_i), .clear_at_i(start_ray),
     .set_i(s1_closer), .set_at_i(s1_ray), .flags_o(found));
 
-  if (rc_pkg::Shading != 0) begin : gen_kinds
+  if (rc_pkg::Shading) begin : gen_kinds
     logic                to_light;
     logic [Contexts-1:0] any_hit;   // rays that any hit ends
 
@@ -164,7 +164,7 @@ module rc_list (
 
   assign s1_kept = s1_hit;
 
-  if (rc_pkg::HasTextures == 1) begin : gen_holes
+  if (rc_pkg::HasTextures) begin : gen_holes
     localparam int unsigned HoleBits = rc_pkg::HoleBits;
     logic [HoleBits-1:0] s0_holes, s0_passed, s1_holes, s1_passed, passed;
     logic [Contexts-1:0] has_passed;
@@ -346,7 +346,7 @@ module rc_list (
 
   assign ended.ray    = s2_ray;
   assign ended.t_best = s2_t;
-  if (rc_pkg::Shading != 0) begin : gen_stop   // the first hit of a ray that any hit ends
+  if (rc_pkg::Shading) begin : gen_stop   // the first hit of a ray that any hit ends
     assign ended.stop = s2_blocked;
   end
 
@@ -386,26 +386,26 @@ module rc_list (
 
   // Its kind, and the set of primitives that it tests. With two levels the set does not change from
   // space to space, so it is stored as the ray came.
-  if (rc_pkg::Homes == 1) begin : gen_changed_kind
+  if (rc_pkg::HasHomes) begin : gen_changed_kind
     assign ray_for_tri.kind = change_i.kind;
-  end else if (rc_pkg::Shading != 0) begin : gen_kind
+  end else if (rc_pkg::Shading) begin : gen_kind
     assign ray_for_tri.kind = ray_i.kind;
   end
 
-  if (rc_pkg::Planes != 0 && rc_pkg::Homes == 1) begin : gen_kept_partial
+  if (rc_pkg::Planes && rc_pkg::HasHomes) begin : gen_kept_partial
     rc_ram #(.Width(1), .Depth(Contexts)) u_partial (
       .clk_i, .write_i(ray_fires_i), .write_addr_i(ray_i.ray), .write_data_i(ray_i.is_partial),
       .read_addr_i(change_i.ray), .read_data_o(ray_for_tri.is_partial));
-  end else if (rc_pkg::Planes != 0) begin : gen_partial
+  end else if (rc_pkg::Planes) begin : gen_partial
     assign ray_for_tri.is_partial = ray_i.is_partial;
   end
 
-  if (rc_pkg::Spheres != 0 && rc_pkg::Homes == 1) begin : gen_kept_self
+  if (rc_pkg::Spheres && rc_pkg::HasHomes) begin : gen_kept_self
     rc_ram #(.Width(rc_pkg::PrimBits + 1), .Depth(Contexts)) u_self (
       .clk_i, .write_i(ray_fires_i), .write_addr_i(ray_i.ray),
       .write_data_i({ray_i.self, ray_i.is_inside}), .read_addr_i(change_i.ray),
       .read_data_o({ray_for_tri.self, ray_for_tri.is_inside}));
-  end else if (rc_pkg::Spheres != 0) begin : gen_self
+  end else if (rc_pkg::Spheres) begin : gen_self
     assign ray_for_tri.self      = ray_i.self;
     assign ray_for_tri.is_inside = ray_i.is_inside;
   end
@@ -428,7 +428,7 @@ module rc_list (
   // A ray's `found` does not change while its primitive is requested. A fast chip reads the flag
   // with the request, and stores it until the primitive comes. So a primitive must not come in the
   // cycle after its request; every cache is slower.
-  if (rc_pkg::Cut == 0) begin : gen_found_now
+  if (rc_pkg::PathCut == 0) begin : gen_found_now
     assign tri_found = found[prim_rsp_i.ray];
   end else begin : gen_found_before
     logic               asked_q, was_found;
@@ -471,7 +471,7 @@ module rc_list (
     assign prim_number = prim_rsp_i.prim + first_number;
   end
 
-  if (rc_pkg::HasKinds == 1) begin : gen_kind_of_primitive
+  if (rc_pkg::HasPrimKinds) begin : gen_kind_of_primitive
     assign prim_data.prim_kind = prim_rsp_i.prim_kind;
   end
   assign prim_data.a    = prim_rsp_i.a;
@@ -490,9 +490,9 @@ module rc_list (
   logic [KeptHitW-1:0] kept_hit, done_hit;
   rc_pkg::kept_hit_t   closest_hit;
 
-  rc_pulse_register #(.Stages(rc_pkg::FarCut)) u_is_kept (
+  rc_pulse_register #(.Stages(rc_pkg::FarPathCut)) u_is_kept (
     .clk_i, .rst_ni, .fires_i(s1_closer), .fires_o(kept));
-  rc_path_register #(.Width(RayBits + KeptHitW), .Stages(rc_pkg::FarCut)) u_kept (
+  rc_path_register #(.Width(RayBits + KeptHitW), .Stages(rc_pkg::FarPathCut)) u_kept (
     .clk_i, .data_i({s1_ray, s1_hit}), .data_o({kept_ray, kept_hit}));
 
   rc_ram_prefetch #(.Width(KeptHitW), .Depth(Contexts)) u_hit (
@@ -508,15 +508,15 @@ module rc_list (
   assign closest_o.u     = closest_hit.u;
   assign closest_o.v     = closest_hit.v;
 
-  if (rc_pkg::Shading != 0) begin : gen_side_of_hit
+  if (rc_pkg::Shading) begin : gen_side_of_hit
     assign closest_o.back = closest_hit.back;
   end
 
-  if (rc_pkg::HasTextures == 1) begin : gen_cutout_of_hit
+  if (rc_pkg::HasTextures) begin : gen_cutout_of_hit
     assign closest_o.cutout = closest_hit.cutout;
   end
 
-  if (rc_pkg::Homes == 1) begin : gen_place   // line of the instance that the ray is in
+  if (rc_pkg::HasHomes) begin : gen_place   // line of the instance that the ray is in
     logic [AddrBits-1:0] s0_here, s1_here, done_place;
 
     rc_path_register #(.Width(AddrBits)) u_s1_here (.clk_i, .data_i(s0_here), .data_o(s1_here));

@@ -22,8 +22,8 @@ module rc_direction #(
   input  logic [3*GuardSumW-1:0] sum_i,
   output logic [3*M-1:0]         dir_o
 );
-  localparam int unsigned Cut    = rc_pkg::Cut;
-  localparam int unsigned Most   = rc_pkg::MostShift;
+  localparam int unsigned Cut    = rc_pkg::PathCut;
+  localparam int unsigned Most   = rc_pkg::MaxShift;
   localparam int unsigned ShiftW = $clog2(Most + 1);
 
   // s0: the bits that differ from the sign in any component, and the free bits above them.

@@ -33,8 +33,8 @@ module rc_raygen (
   localparam int unsigned ExpBits      = rc_pkg::ExpBits;
   localparam int unsigned RayBits      = rc_pkg::RayBits;
   localparam int unsigned Every        = rc_pkg::RaygenInterval;
-  localparam int unsigned SampleL      = rc_pkg::Supersampling != 0 ? rc_pkg::SampleStages : 0;
-  localparam int unsigned SubBits      = rc_pkg::Supersampling != 0 ? rc_pkg::SubPixelBits : 0;
+  localparam int unsigned SampleL      = rc_pkg::Supersampling ? rc_pkg::SampleStages : 0;
+  localparam int unsigned SubBits      = rc_pkg::Supersampling ? rc_pkg::SubPixelBits : 0;
   localparam int unsigned PositionW    = PixelBits + 1 + SubBits;   // position, signed
   localparam int unsigned GuardDirBits = rc_pkg::GuardDirBits;
   localparam int unsigned GuardSumW    = GuardDirBits + SubBits;
@@ -44,7 +44,7 @@ module rc_raygen (
   localparam int unsigned Step    = SampleL + rc_pkg::PixelStages;
   localparam int unsigned Dir     = Step + rc_pkg::DirectionStages + 1;
   // In a chip for streams RaygenLatency is shorter. It has no rc_raygen, but tools also parse this.
-  localparam int unsigned Latency = rc_pkg::Streams != 0 ? Dir + RecipL : rc_pkg::RaygenLatency;
+  localparam int unsigned Latency = rc_pkg::IsStream ? Dir + RecipL : rc_pkg::RaygenLatency;
 
   // s0: requests. A new pixel is a camera ray through its first sample.
   logic                      req_valid, req_ready;
@@ -59,7 +59,7 @@ module rc_raygen (
     new_pixel.y    = slot_i.y;
   end
 
-  if (rc_pkg::Shading != 0) begin : gen_merge
+  if (rc_pkg::Shading) begin : gen_merge
     rc_priority_merge #(.Width(rc_pkg::SpawnW)) u_req (
       .clk_i, .rst_ni,
       .first_valid_i(spawn_valid_i), .first_ready_o(spawn_ready_o), .first_i(spawn_i),
@@ -99,7 +99,7 @@ module rc_raygen (
   // enable[i]: the register after stage i accepts its input (rtl/README.md, Relaxed and fast).
   logic [Latency:0] enable;
 
-  assign enable = valid | {(Latency+1){rc_pkg::Cut != 0}};
+  assign enable = valid | {(Latency+1){rc_pkg::PathCut != 0}};
 
   logic [RayBits-1:0] end_ray;
 
@@ -113,7 +113,7 @@ module rc_raygen (
 
   assign frame_flat = frame_i;
 
-  if (rc_pkg::Supersampling != 0) begin : gen_sample
+  if (rc_pkg::Supersampling) begin : gen_sample
     logic signed [SubBits-1:0] offset_x, offset_y;
     logic [PixelBits-1:0]      wait_x, wait_y;
 
@@ -139,7 +139,7 @@ module rc_raygen (
   logic [3*GuardDirBits-1:0] corner, right, down;
   logic [3*rc_pkg::CoordBits-1:0] eye;
 
-  if (rc_pkg::Streams == 0) begin : gen_camera_vectors   // tools also parse a chip for streams
+  if (!rc_pkg::IsStream) begin : gen_camera_vectors   // tools also parse a chip for streams
     assign corner = frame_i.corner;
     assign right  = frame_i.right;
     assign down   = frame_i.down;
@@ -215,7 +215,7 @@ module rc_raygen (
     .clk_i, .rst_ni, .enable_i(enable[Latency-1:Dir]), .valid_i(valid[Latency-1:Dir]),
     .data_i(dir_q), .data_o(end_dir));
 
-  if (rc_pkg::Shading != 0) begin : gen_given
+  if (rc_pkg::Shading) begin : gen_given
     localparam int unsigned OriginWidth = rc_pkg::OriginWidth;
     localparam int unsigned N           = rc_pkg::CoordBits;
     logic [1:0]               kind, dir_kind_q, end_kind;
@@ -253,30 +253,30 @@ module rc_raygen (
     // The fields that select the primitives that the ray tests stay as they came.
     localparam int unsigned TagW = HeadW - 2 - 3 * OriginWidth;
     if (TagW != 0) begin : gen_tag
-      localparam int unsigned HomeW = rc_pkg::Homes == 1
+      localparam int unsigned HomeW = rc_pkg::HasHomes
                                     ? rc_pkg::AddrBits + 3 * (OriginWidth + RayDirBits) : 0;
-      localparam int unsigned HolesW = rc_pkg::HasTextures == 1 ? rc_pkg::HoleBits : 0;
+      localparam int unsigned HolesW = rc_pkg::HasTextures ? rc_pkg::HoleBits : 0;
       logic [TagW-1:0] req_tag, holes, asks, home, end_tag;
 
       assign req_tag = holes | asks << HomeW | home;
 
-      if (rc_pkg::HasTextures == 1) begin : gen_holes
+      if (rc_pkg::HasTextures) begin : gen_holes
         assign holes = TagW'(req.holes) << (TagW - HolesW);
       end else begin : gen_no_holes
         assign holes = '0;
       end
 
-      if (rc_pkg::Homes == 1) begin : gen_home
+      if (rc_pkg::HasHomes) begin : gen_home
         assign home = TagW'({req.home, req.home_o, req.home_d});
       end else begin : gen_no_home
         assign home = '0;
       end
 
-      if (rc_pkg::Planes != 0 && rc_pkg::Spheres != 0) begin : gen_both
+      if (rc_pkg::Planes && rc_pkg::Spheres) begin : gen_both
         assign asks = TagW'({req.is_partial, req.self, req.is_inside});
-      end else if (rc_pkg::Planes != 0) begin : gen_planes
+      end else if (rc_pkg::Planes) begin : gen_planes
         assign asks = TagW'(req.is_partial);
-      end else if (rc_pkg::Spheres != 0) begin : gen_spheres
+      end else if (rc_pkg::Spheres) begin : gen_spheres
         assign asks = TagW'({req.self, req.is_inside});
       end else begin : gen_triangles
         assign asks = '0;

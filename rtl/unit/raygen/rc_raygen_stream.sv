@@ -50,7 +50,7 @@ module rc_raygen_stream (
   logic [Latency:0] enable;
   rc_pkg::record_t  s1_q;
 
-  assign enable = valid | {(Latency+1){rc_pkg::Cut != 0}};
+  assign enable = valid | {(Latency+1){rc_pkg::PathCut != 0}};
   always_ff @(posedge clk_i) if (enable[0]) s1_q <= record_i;
 
   // s1: reciprocals of the direction.
@@ -79,7 +79,7 @@ module rc_raygen_stream (
   // Result queue. A record has the fields of a ray in the ray's order, without the reciprocals and
   // without a home: with two levels no recorded ray starts from an instance.
   localparam int unsigned HomeW =
-      rc_pkg::Homes == 1 ? rc_pkg::RayW - RecordW - 3 * R1 - 3 * ExpBits : 0;
+      rc_pkg::HasHomes ? rc_pkg::RayW - RecordW - 3 * R1 - 3 * ExpBits : 0;
 
   rc_pkg::record_t         last;
   logic                    queue_ready;

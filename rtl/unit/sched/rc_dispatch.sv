@@ -53,7 +53,7 @@ module rc_dispatch (
   assign x_after = {1'b0, x_q} + 1'b1;
   assign y_after = {1'b0, y_q} + 1'b1;
 
-  if (rc_pkg::Streams != 0) begin : gen_rays   // {y_q, x_q} counts groups of 4^TileBits rays
+  if (rc_pkg::IsStream) begin : gen_rays   // {y_q, x_q} counts groups of 4^TileBits rays
     logic [2*TileCoordBits:0] after;
 
     assign after  = {1'b0, y_q, x_q} + 1'b1;

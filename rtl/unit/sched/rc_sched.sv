@@ -40,7 +40,7 @@ module rc_sched (
   localparam int unsigned TileBits  = rc_pkg::TileBits;
   localparam int unsigned InTileW   = TileBits == 0 ? 1 : 2 * TileBits;
   localparam logic [rc_pkg::CauseBits-1:0] Stalled =
-      rc_pkg::Streams != 0 ? rc_pkg::SchedStalledStream : rc_pkg::SchedStalledRaygen;
+      rc_pkg::IsStream ? rc_pkg::SchedStalledStream : rc_pkg::SchedStalledRaygen;
 
   // ---- The current pixel. at_q counts through the tile; its even bits are x, its odd bits are y.
   // The tile's position relative to the picture, inside or on the edge, is computed when the tile
@@ -63,7 +63,7 @@ module rc_sched (
   assign last = TileBits == 0 || at_q == '1;
   assign next = TileBits == 0 ? '0 : at_q + 1'b1;
 
-  if (rc_pkg::Streams != 0) begin : gen_rays   // a tile holds rays in sequence; {y, x}: number
+  if (rc_pkg::IsStream) begin : gen_rays   // a tile holds rays in sequence; {y, x}: number
     logic [2*PixelBits-1:0] number, next_number, first_number;
 
     if (TileBits == 0) begin : gen_single

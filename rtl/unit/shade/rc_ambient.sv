@@ -34,7 +34,7 @@ module rc_ambient #(
   // The ray's weight times the ambient share.
   logic [ColourBits-1:0] s0_ambient;
 
-  if (rc_pkg::HasTextures == 1) begin : gen_texture
+  if (rc_pkg::HasTextures) begin : gen_texture
     localparam int unsigned TintW = 2 * ColourBits;
     logic [3*TintW-1:0]      tint;
     logic [3*ColourBits-1:0] tinted, plain;

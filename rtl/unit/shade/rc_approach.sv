@@ -56,7 +56,7 @@ module rc_approach #(
     assign s15_twice[k*TwiceW +: TwiceW] = TwiceW'(size) << (Shift + Steps);
   end
 
-  rc_path_register #(.Width(3 * (PlaceW + TwiceW + 1)), .Stages(rc_pkg::ShadeCut)) u_first (
+  rc_path_register #(.Width(3 * (PlaceW + TwiceW + 1)), .Stages(rc_pkg::PassCut)) u_first (
     .clk_i, .data_i({s15_depth, s15_twice, s15_down}),
     .data_o({first_depth, first_twice, first_down}));
 
@@ -71,7 +71,7 @@ module rc_approach #(
   logic [Took:0]   began;
   logic            begins, done;   // done: a point comes to the last step
 
-  rc_pulse_register #(.Stages(rc_pkg::ShadeCut)) u_begins (
+  rc_pulse_register #(.Stages(rc_pkg::PassCut)) u_begins (
     .clk_i, .rst_ni, .fires_i(valid_i[0]), .fires_o(begins));
 
   assign began = {began_q, begins};
@@ -166,7 +166,7 @@ module rc_approach #(
       .clk_i, .rst_ni, .enter_i(done_q), .leave_i(valid_i[Steps]),
       .data_i({made_enters_q, made_entry_q}), .data_o(waited));
 
-    if (rc_pkg::ShadeCut == 0) begin : gen_keep
+    if (rc_pkg::PassCut == 0) begin : gen_keep
       always_ff @(posedge clk_i) if (valid_i[Steps]) {s28_enters_o, s28_entry_o} <= waited;
     end else begin : gen_kept   // the next result stays long before s27 accepts it
       assign {s28_enters_o, s28_entry_o} = waited;

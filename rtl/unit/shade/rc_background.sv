@@ -48,8 +48,8 @@ module rc_background #(
     assign unused = ^{rounded[2*ValueBits-1], rounded[UnitBits-1:0]};
   end
 
-  rc_stage_delay #(.Width(3 * ValueBits), .Stages(rc_pkg::ShadeOut - 10),
-                   .Parts(rc_pkg::ShadeParts))
+  rc_stage_delay #(.Width(3 * ValueBits), .Stages(rc_pkg::PassOutStage - 10),
+                   .Parts(rc_pkg::PassParts))
     u_colour (
     .clk_i, .rst_ni, .enter_i(s10_ends_i), .leave_i(end_i), .data_i(s10_colour),
     .data_o(end_colour_o));

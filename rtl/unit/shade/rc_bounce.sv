@@ -59,7 +59,7 @@ module rc_bounce #(
   logic [RatioBits-1:0]     s13_ratio;
   logic [ShareW-1:0]        s7_share;
 
-  if (rc_pkg::Refraction == 1) begin : gen_refraction
+  if (rc_pkg::Refraction) begin : gen_refraction
     rc_snell u_snell (
       .clk_i, .rst_ni, .valid_i(valid_i[13:0]), .phase_i(phase_i[2*Every-1:0]), .s0_refract_i,
       .s0_cosine_i(s0_cosine),
@@ -111,7 +111,7 @@ module rc_bounce #(
 
     assign s14_sum = SumW'(s14_normal_q) - (SumW'(s14_view_q) <<< (UnitBits - rc_pkg::IndexFrac))
                    + Half;
-    rc_path_register #(.Width(UnitW), .Stages(rc_pkg::ShadeCut)) u_unit (
+    rc_path_register #(.Width(UnitW), .Stages(rc_pkg::PassCut)) u_unit (
       .clk_i, .data_i(s14_sum[SumW-1:UnitBits]), .data_o(s14_unit));
 
     always_ff @(posedge clk_i) begin

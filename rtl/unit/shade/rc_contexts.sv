@@ -65,31 +65,31 @@ module rc_contexts #(
 
   // ---- Reads and writes. A fast chip whose passes are rare has registers in front of the
   // memories' ports. The data of a pass stays stable for that time.
-  localparam int unsigned Parts = rc_pkg::ShadeParts;
+  localparam int unsigned Parts = rc_pkg::PassParts;
 
   logic               reads;
   logic [RayBits-1:0] reads_ray;
 
-  rc_path_register #(.Width(RayBits), .Stages(rc_pkg::ShadeCut)) u_reads_ray (
+  rc_path_register #(.Width(RayBits), .Stages(rc_pkg::PassCut)) u_reads_ray (
     .clk_i, .data_i(read_ray_i), .data_o(reads_ray));
 
-  rc_pulse_register #(.Stages(rc_pkg::ShadeCut)) u_reads (
+  rc_pulse_register #(.Stages(rc_pkg::PassCut)) u_reads (
     .clk_i, .rst_ni, .fires_i(read_i), .fires_o(reads));
 
-  rc_pulse_register #(.Stages(rc_pkg::ShadeRead)) u_there (
+  rc_pulse_register #(.Stages(rc_pkg::PassReadCycles)) u_there (
     .clk_i, .rst_ni, .fires_i(read_i), .fires_o(read_valid_o));
 
   logic                         material_valid, writes;
   logic [RayBits-1:0]           material_ray;
   logic [rc_pkg::MaterialW-1:0] material;
 
-  rc_path_register #(.Width(RayBits + rc_pkg::MaterialW), .Stages(rc_pkg::ShadeCut)) u_material (
+  rc_path_register #(.Width(RayBits + rc_pkg::MaterialW), .Stages(rc_pkg::PassCut)) u_material (
     .clk_i, .data_i({material_ray_i, material_i}), .data_o({material_ray, material}));
 
-  rc_pulse_register #(.Stages(rc_pkg::ShadeCut)) u_material_valid (
+  rc_pulse_register #(.Stages(rc_pkg::PassCut)) u_material_valid (
     .clk_i, .rst_ni, .fires_i(material_valid_i), .fires_o(material_valid));
 
-  rc_pulse_register #(.Stages(rc_pkg::ShadeCut)) u_writes (
+  rc_pulse_register #(.Stages(rc_pkg::PassCut)) u_writes (
     .clk_i, .rst_ni, .fires_i(write_i), .fires_o(writes));
 
   // ---- Rays, except shadow rays and rays away to a light.
@@ -102,7 +102,7 @@ module rc_contexts #(
   assign ray_d   = ray_i.d;
   assign is_kept = kind_o == rc_pkg::RayCamera || kind_o == rc_pkg::RayBounce;
 
-  if (rc_pkg::Shading == 1) begin : gen_kind
+  if (rc_pkg::Shading) begin : gen_kind
     assign kind_o = ray_i.kind;
   end else begin : gen_camera   // never built, but tools read it
     assign kind_o = rc_pkg::RayCamera;
@@ -118,7 +118,7 @@ module rc_contexts #(
     .read_data_o({o_o, d_o}));
 
   // ---- Answers, as late as in rc_shade.
-  localparam int unsigned Late = rc_pkg::Cut + rc_pkg::FarCut;
+  localparam int unsigned Late = rc_pkg::PathCut + rc_pkg::FarPathCut;
   logic               answers;
   logic [RayBits-1:0] answer_ray;
   logic [HitW-1:0]    answer;
@@ -134,7 +134,7 @@ module rc_contexts #(
     .write_data_i(answer), .read_i(reads), .read_addr_i(reads_ray), .read_data_o(hit_o));
 
   // ---- The instance that was hit last.
-  localparam int unsigned MapW = PlaceW - (rc_pkg::HasTextures == 1 ? rc_pkg::LevelBits : 0);
+  localparam int unsigned MapW = PlaceW - (rc_pkg::HasTextures ? rc_pkg::LevelBits : 0);
 
   rc_pkg::shade_place_t place_came, place_read;
   logic [MapW-1:0]      map_came, map_read;
@@ -143,7 +143,7 @@ module rc_contexts #(
   assign place_o    = place_read;
   assign map_came   = {place_came.here, place_came.a, place_came.b};
 
-  if (rc_pkg::Homes == 1) begin : gen_place
+  if (rc_pkg::HasHomes) begin : gen_place
     rc_context_ram #(.Width(MapW), .Depth(Contexts)) u_place (
       .clk_i, .rst_ni, .write_i(place_fires_i), .write_addr_i(place_ray_i), .write_data_i(map_came),
       .read_i(reads), .read_addr_i(reads_ray), .read_data_o(map_read));
@@ -156,7 +156,7 @@ module rc_contexts #(
 
   assign {place_read.here, place_read.a, place_read.b} = map_read;
 
-  if (rc_pkg::Homes == 1 && rc_pkg::HasTextures == 1) begin : gen_texel_scale
+  if (rc_pkg::HasHomes && rc_pkg::HasTextures) begin : gen_texel_scale
     logic [rc_pkg::LevelBits-1:0] scale_came, scale_read;
 
     assign scale_came             = place_came.texel_scale;
@@ -166,7 +166,7 @@ module rc_contexts #(
       .clk_i, .rst_ni, .write_i(scale_fires_i), .write_addr_i(place_ray_i),
       .write_data_i(scale_came), .read_i(reads), .read_addr_i(reads_ray),
       .read_data_o(scale_read));
-  end else if (rc_pkg::HasTextures == 1) begin : gen_one_scale
+  end else if (rc_pkg::HasTextures) begin : gen_one_scale
     assign place_read.texel_scale = '0;
 
     logic unused;
@@ -180,7 +180,7 @@ module rc_contexts #(
   localparam int unsigned PixelW  = rc_pkg::ShadePixelW;
   localparam int unsigned EveryW  = rc_pkg::ShadeEveryW;
   localparam int unsigned PointW  = rc_pkg::ShadePointW;
-  localparam int unsigned InnerW  = rc_pkg::Homes == 1 ? 3 * OriginWidth : 0;
+  localparam int unsigned InnerW  = rc_pkg::HasHomes ? 3 * OriginWidth : 0;
   localparam int unsigned FaceW   = rc_pkg::ShadeFaceW;
   localparam int unsigned ShareW  = rc_pkg::ShadeShareW;
   localparam int unsigned SampleW = rc_pkg::ShadeSamplesW;
@@ -228,7 +228,7 @@ module rc_contexts #(
     .read_i(reads), .read_addr_i(reads_ray), .read_data_o(pixel));
 
   // Memories of the groups.
-  if (rc_pkg::Refraction == 1) begin : gen_bend
+  if (rc_pkg::Refraction) begin : gen_bend
     rc_context_ram #(.Width(EveryW + WaitsW), .Depth(Contexts), .Parts(Parts)) u_every (
       .clk_i, .rst_ni, .write_i(writes), .write_addr_i(write_ray_i),
       .write_data_i({new_every, new_waits}), .read_i(reads), .read_addr_i(reads_ray),
@@ -257,7 +257,7 @@ module rc_contexts #(
     .read_i(reads), .read_addr_i(reads_ray), .read_data_o(point));
 
   // A texture changes the albedo, in the lowest bits of the face.
-  if (rc_pkg::HasTextures == 1) begin : gen_albedo
+  if (rc_pkg::HasTextures) begin : gen_albedo
     localparam int unsigned AlbedoW = 3 * rc_pkg::ColourBits;
 
     rc_context_ram #(.Width(FaceW - AlbedoW), .Depth(Contexts), .Parts(Parts)) u_face (
@@ -288,7 +288,7 @@ module rc_contexts #(
     .clk_i, .rst_ni, .write_i(writes_share), .write_addr_i(write_ray_i), .write_data_i(new_share),
     .read_i(reads), .read_addr_i(reads_ray), .read_data_o(share));
 
-  if (rc_pkg::Supersampling == 1) begin : gen_sample
+  if (rc_pkg::Supersampling) begin : gen_sample
     rc_context_ram #(.Width(SampleW), .Depth(Contexts), .Parts(Parts)) u_sample (
       .clk_i, .rst_ni, .write_i(writes), .write_addr_i(write_ray_i), .write_data_i(new_sample),
       .read_i(reads), .read_addr_i(reads_ray), .read_data_o(sample));
@@ -296,7 +296,7 @@ module rc_contexts #(
     assign sample = '0;
   end
 
-  if (rc_pkg::Spheres == 1) begin : gen_self
+  if (rc_pkg::Spheres) begin : gen_self
     rc_context_ram #(.Width(SelfW), .Depth(Contexts), .Parts(Parts)) u_self (
       .clk_i, .rst_ni, .write_i(material_valid), .write_addr_i(material_ray),
       .write_data_i(new_self),
@@ -307,7 +307,7 @@ module rc_contexts #(
 
   assign kept_state[PlaceAt-1:0] = {face, share, sample, waits, look, bend, self};
 
-  if (rc_pkg::Homes == 1) begin : gen_inner
+  if (rc_pkg::HasHomes) begin : gen_inner
     logic [InnerW-1:0] inner;
 
     rc_context_ram #(.Width(InnerW), .Depth(Contexts), .Parts(Parts)) u_inner (
@@ -357,7 +357,7 @@ module rc_contexts #(
 
   rc_pkg::shade_state_t begun_path;
 
-  if (rc_pkg::HasTextures == 1) begin : gen_path
+  if (rc_pkg::HasTextures) begin : gen_path
     always_comb begin
       begun_path = begun;
       if (fresh) begun_path.path  = '0;
@@ -385,7 +385,7 @@ module rc_contexts #(
 
   assign new_top_at = write_state_i.waiting - 4'd1;
 
-  if (rc_pkg::Refraction == 1) begin : gen_stack
+  if (rc_pkg::Refraction) begin : gen_stack
     localparam int unsigned Up    = $clog2(rc_pkg::Bounces);
     localparam int unsigned AddrW = RayBits + Up;
     logic [RayBits-1:0] top_ray;   // with ShadeInterval above 1: one cycle after the state

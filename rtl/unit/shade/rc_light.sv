@@ -124,9 +124,9 @@ module rc_light #(
     .clk_i, .rst_ni, .enter_i(valid_i[2]), .leave_i(valid_i[26]), .data_i(s2_strength_q),
     .data_o(s26_strength));
 
-  localparam int unsigned Out = rc_pkg::ShadeOut;   // then rc_pass_end has accepted it
+  localparam int unsigned Out = rc_pkg::PassOutStage;   // then rc_pass_end has accepted it
 
-  rc_stage_delay #(.Width(3 * N + 2), .Stages(Out - 1), .Parts(rc_pkg::ShadeParts)) u_place (
+  rc_stage_delay #(.Width(3 * N + 2), .Stages(Out - 1), .Parts(rc_pkg::PassParts)) u_place (
     .clk_i, .rst_ni, .enter_i(valid_i[1]), .leave_i(valid_i[Out]),
     .data_i({s1_lattice, s1_near_q, s1_clear_q}),
     .data_o({s28_place_o, s28_near_o, s28_clear_o}));
@@ -175,7 +175,7 @@ module rc_light #(
   end
 
   assign s15_near_o = s15_near && !s15_far;   // a ray goes from the light to the point
-  if (rc_pkg::Homes == 1) begin : gen_place
+  if (rc_pkg::HasHomes) begin : gen_place
     rc_stage_delay #(.Width(3 * N), .Stages(14)) u_lattice (
       .clk_i, .rst_ni, .enter_i(valid_i[1]), .leave_i(valid_i[15]), .data_i(s1_lattice),
       .data_o(s15_place_o));
@@ -294,7 +294,7 @@ module rc_light #(
         s26_lit_q <= {1'b0, s25_matte[k*ValueBits +: ValueBits]} + {1'b0, s25_rounded[28:12]};
       if (valid_i[26]) s27_share_q <= s26_product[k*52 +: 52];
       // If a pass stays long, rc_pass_end reads the share at the end of s27.
-      if (rc_pkg::ShadeCut != 0 || valid_i[27])
+      if (rc_pkg::PassCut != 0 || valid_i[27])
         s28_share_q <= s27_rounded[52:44] != '0 ? rc_pkg::ValueOne : {1'b0, s27_rounded[43:28]};
     end
 

@@ -25,10 +25,10 @@ module rc_normal_side #(
   logic [3*NormalBits-1:0] n;
   logic [3*RayDirBits-1:0] d;
 
-  rc_path_register #(.Width(3 * (NormalBits + RayDirBits)), .Stages(rc_pkg::ShadeCut)) u_in (
+  rc_path_register #(.Width(3 * (NormalBits + RayDirBits)), .Stages(rc_pkg::PassCut)) u_in (
     .clk_i, .data_i({n_i, d_i}), .data_o({n, d}));
 
-  rc_mul_held #(.AW(NormalBits), .BW(RayDirBits), .Products(3), .Late(rc_pkg::ShadeCut))
+  rc_mul_held #(.AW(NormalBits), .BW(RayDirBits), .Products(3), .Late(rc_pkg::PassCut))
   u_products (
     .clk_i, .phase_i, .a_i(n), .b_i(d), .p_o(product));
 
@@ -41,7 +41,7 @@ module rc_normal_side #(
       + (ProductW+2)'($signed(product_q[ProductW +: ProductW]))
       + (ProductW+2)'($signed(product_q[2*ProductW +: ProductW]));
 
-  rc_path_register #(.Width(ProductW + 2), .Stages(rc_pkg::ShadeCut)) u_sum (
+  rc_path_register #(.Width(ProductW + 2), .Stages(rc_pkg::PassCut)) u_sum (
     .clk_i, .data_i(sum_now), .data_o(sum));
 
   always_ff @(posedge clk_i) begin

@@ -63,14 +63,14 @@ module rc_pass #(
   localparam int unsigned ToLightW   = rc_pkg::LightBits + rc_pkg::OriginBits + 1;
   // Or a sum of corner normals.
   localparam int unsigned LongW      = ToLightW > NormalBits ? ToLightW : NormalBits;
-  localparam int unsigned TurnW      = rc_pkg::Homes == 1 ? rc_pkg::MapBits + AxisBits + 2 : 0;
+  localparam int unsigned TurnW      = rc_pkg::HasHomes ? rc_pkg::MapBits + AxisBits + 2 : 0;
   localparam int unsigned UnitW      = LongW > TurnW ? LongW : TurnW;
 
   // The inputs of the end are ready before it. The end is computed in registers on the way.
   // rc_pass_end latches it at the end of the last stage; then the next inputs may come.
-  localparam bit          Cut   = rc_pkg::ShadeCut != 0;
-  localparam int unsigned Out   = rc_pkg::ShadeOut;
-  localparam int unsigned Side  = rc_pkg::Homes == 1 ? 19 : 15;   // stage in which n . d begins
+  localparam bit          Cut   = rc_pkg::PassCut != 0;
+  localparam int unsigned Out   = rc_pkg::PassOutStage;
+  localparam int unsigned Side  = rc_pkg::HasHomes ? 19 : 15;   // stage in which n . d begins
 
   // ---- Input: held if a pass stays for more than one cycle.
   logic                       valid;
@@ -120,7 +120,7 @@ module rc_pass #(
   // again, with a ray that ignores one more cut-out. After 63 holes the next one counts as opaque.
   logic met_cutout;
 
-  if (rc_pkg::HasTextures == 1) begin : gen_cutout
+  if (rc_pkg::HasTextures) begin : gen_cutout
     logic repeats;
 
     assign met_cutout = given.pending == rc_pkg::PendingAnswer && hit.found && hit.cutout;
@@ -243,7 +243,7 @@ module rc_pass #(
     .clk_i, .rst_ni, .enter_i(goes_on), .leave_i(ends[Out]), .ray_i(ray), .known_i(known),
     .ray_o(end_ray), .begin_state_o(begin_state), .mirrors_o(mirrors), .transmits_o(transmits));
 
-  rc_stage_delay #(.Width(rc_pkg::WaitingW), .Stages(Stages), .Parts(rc_pkg::ShadeParts)) u_top (
+  rc_stage_delay #(.Width(rc_pkg::WaitingW), .Stages(Stages), .Parts(rc_pkg::PassParts)) u_top (
     .clk_i, .rst_ni, .enter_i(goes_on), .leave_i(ends[Out]), .data_i(top_came),
     .data_o(top));
 
@@ -253,7 +253,7 @@ module rc_pass #(
 
   // With two levels the pass *transform* finds a sphere's place in its picture. So the normal goes
   // through this pass too; it does not change.
-  localparam bit Round = rc_pkg::HasTextures == 1 && rc_pkg::Spheres == 1;
+  localparam bit Round = rc_pkg::HasTextures && rc_pkg::Spheres;
 
   rc_stage_delay #(.Width(6 * AxisBits), .Stages(13)) u_vectors (
     .clk_i, .rst_ni, .enter_i(s0_light || s0_bounce || (Round && s0_transform)),
@@ -280,9 +280,9 @@ module rc_pass #(
   // Operands of products must stay for all cycles of a stage; s0_texture is valid in the last one.
   logic s0_is_texture;
 
-  assign s0_is_texture = rc_pkg::HasTextures == 1 && state.next_event == rc_pkg::EventTexture;
+  assign s0_is_texture = rc_pkg::HasTextures && state.next_event == rc_pkg::EventTexture;
 
-  if (rc_pkg::HasTextures == 1) begin : gen_share
+  if (rc_pkg::HasTextures) begin : gen_share
     assign share = state.ambient;
   end else begin : gen_no_share
     assign share = '0;
@@ -299,17 +299,17 @@ module rc_pass #(
     .s6_albedo_o(s6_albedo), .s7_ambient_o(s7_ambient));
 
   rc_stage_delay #(.Width(3 * PointWidth + 3 * NormalBits + 2), .Stages(Out - 5),
-                   .Parts(rc_pkg::ShadeParts))
+                   .Parts(rc_pkg::PassParts))
     u_point (
     .clk_i, .rst_ni, .enter_i(surf_at[5]), .leave_i(surf_at[Out]),
     .data_i({s5_o, s5_n, s5_far, s5_lost}),
     .data_o({surf_o, surf_n, surf_far, surf_lost}));
 
-  rc_stage_delay #(.Width(3 * ColourBits), .Stages(Out - 6), .Parts(rc_pkg::ShadeParts)) u_albedo (
+  rc_stage_delay #(.Width(3 * ColourBits), .Stages(Out - 6), .Parts(rc_pkg::PassParts)) u_albedo (
     .clk_i, .rst_ni, .enter_i(tone_at[6]), .leave_i(tone_at[Out]), .data_i(s6_albedo),
     .data_o(surf_albedo));
 
-  rc_stage_delay #(.Width(3 * ValueBits), .Stages(Out - 7), .Parts(rc_pkg::ShadeParts)) u_ambient (
+  rc_stage_delay #(.Width(3 * ValueBits), .Stages(Out - 7), .Parts(rc_pkg::PassParts)) u_ambient (
     .clk_i, .rst_ni, .enter_i(tone_at[7]), .leave_i(tone_at[Out]), .data_i(s7_ambient),
     .data_o(surf_ambient));
 
@@ -319,14 +319,14 @@ module rc_pass #(
   logic              end_hole;   // the texture has a hole: the ray continues
   logic [3*M-1:0]    s15_old_d;  // in its direction
 
-  if (rc_pkg::HasTextures == 1) begin : gen_path
+  if (rc_pkg::HasTextures) begin : gen_path
     logic [rc_pkg::PathBits-1:0] s3_path, near_path;
 
     rc_stage_delay #(.Width(3 * M), .Stages(15)) u_old_d (
       .clk_i, .rst_ni, .enter_i(s0_texture), .leave_i(texture_at[15]), .data_i(d),
       .data_o(s15_old_d));
 
-    rc_stage_delay #(.Width(1), .Stages(Out), .Parts(rc_pkg::ShadeParts)) u_hole (
+    rc_stage_delay #(.Width(1), .Stages(Out), .Parts(rc_pkg::PassParts)) u_hole (
       .clk_i, .rst_ni, .enter_i(s0_texture), .leave_i(texture_at[Out]),
       .data_i(texel[3*ColourBits]), .data_o(end_hole));
 
@@ -334,13 +334,13 @@ module rc_pass #(
       .clk_i, .valid_i(surf_at[2:0]), .s1_phase_i(phase[Every +: Every]),
       .s0_path_i(state.path), .s0_t_i(t), .s0_d_i(d), .s3_path_o(s3_path));
 
-    rc_stage_delay #(.Width(rc_pkg::PathBits), .Stages(Out - 3), .Parts(rc_pkg::ShadeParts))
+    rc_stage_delay #(.Width(rc_pkg::PathBits), .Stages(Out - 3), .Parts(rc_pkg::PassParts))
     u_path (
       .clk_i, .rst_ni, .enter_i(surf_at[3]), .leave_i(surf_at[Out]), .data_i(s3_path),
       .data_o(near_path));
 
     // A plane's hit may be too far away for t.
-    if (rc_pkg::Planes == 1) begin : gen_far_path
+    if (rc_pkg::Planes) begin : gen_far_path
       logic                        end_far;
       logic [rc_pkg::PathBits-1:0] s8_path, far_path;
 
@@ -348,12 +348,12 @@ module rc_pass #(
         .clk_i, .rst_ni, .valid_i(surf_at[7:0]), .s0_path_i(state.path), .s0_o_i(o), .s5_o_i(s5_o),
         .s8_path_o(s8_path));
 
-      rc_stage_delay #(.Width(rc_pkg::PathBits), .Stages(Out - 8), .Parts(rc_pkg::ShadeParts))
+      rc_stage_delay #(.Width(rc_pkg::PathBits), .Stages(Out - 8), .Parts(rc_pkg::PassParts))
       u_far (
         .clk_i, .rst_ni, .enter_i(surf_at[8]), .leave_i(surf_at[Out]), .data_i(s8_path),
         .data_o(far_path));
 
-      rc_stage_delay #(.Width(1), .Stages(Out), .Parts(rc_pkg::ShadeParts)) u_is_far (
+      rc_stage_delay #(.Width(1), .Stages(Out), .Parts(rc_pkg::PassParts)) u_is_far (
         .clk_i, .rst_ni, .enter_i(surf_at[0]), .leave_i(surf_at[Out]),
         .data_i(surface.kind == rc_pkg::PrimPlane && t == '1), .data_o(end_far));
 
@@ -362,7 +362,7 @@ module rc_pass #(
       assign surf_path = near_path;
     end
 
-    rc_stage_delay #(.Width(2 * UvBits), .Stages(Out), .Parts(rc_pkg::ShadeParts)) u_uv (
+    rc_stage_delay #(.Width(2 * UvBits), .Stages(Out), .Parts(rc_pkg::PassParts)) u_uv (
       .clk_i, .rst_ni, .enter_i(face_at[0] || cutout_at[0]),
       .leave_i(face_at[Out] || cutout_at[Out]), .data_i({u, v}),
       .data_o({face_u, face_v}));
@@ -392,13 +392,13 @@ module rc_pass #(
     .s13_unit_o(s13_unit), .s13_view_o(s13_new_view), .s15_cosine_o(s15_cosine),
     .s15_mirror_o(s15_mirror));
 
-  rc_stage_delay #(.Width(6 * AxisBits), .Stages(Out - 13), .Parts(rc_pkg::ShadeParts))
+  rc_stage_delay #(.Width(6 * AxisBits), .Stages(Out - 13), .Parts(rc_pkg::PassParts))
   u_surf_vectors (
     .clk_i, .rst_ni, .enter_i(face_at[13]), .leave_i(face_at[Out]),
     .data_i({s13_unit, s13_new_view}),
     .data_o({surf_normal, surf_view}));
 
-  rc_stage_delay #(.Width(ValueBits), .Stages(Out - 15), .Parts(rc_pkg::ShadeParts)) u_cosine (
+  rc_stage_delay #(.Width(ValueBits), .Stages(Out - 15), .Parts(rc_pkg::PassParts)) u_cosine (
     .clk_i, .rst_ni, .enter_i(face_at[15]), .leave_i(face_at[Out]), .data_i(s15_cosine),
     .data_o(surf_cosine));
 
@@ -415,20 +415,20 @@ module rc_pass #(
     logic              s13_inside, leaves_13, begins_14;
     logic [UvBits-1:0] ready_u, ready_v;
 
-    assign leaves_13 = rc_pkg::Homes == 1 ? transform_at[13] : surf_at[13];
+    assign leaves_13 = rc_pkg::HasHomes ? transform_at[13] : surf_at[13];
     assign begins_14 = phase[14*Every]
-                     && (rc_pkg::Homes == 1 ? transform_q_at[14] : surf_q[14]);
+                     && (rc_pkg::HasHomes ? transform_q_at[14] : surf_q[14]);
 
     rc_stage_delay #(.Width(1), .Stages(13)) u_inside (
       .clk_i, .rst_ni, .enter_i(face_at[0]), .leave_i(face_at[13]), .data_i(known.is_inside),
       .data_o(s13_inside));
 
     rc_octahedral u_octahedral (
-      .clk_i, .leaves_13_i(leaves_13), .s13_normal_i(rc_pkg::Homes == 1 ? s13_normal : s13_unit),
+      .clk_i, .leaves_13_i(leaves_13), .s13_normal_i(rc_pkg::HasHomes ? s13_normal : s13_unit),
       .s13_inside_i(s13_inside), .begins_14_i(begins_14), .done_i(phase[14*Every+Steps]),
       .u_o(ready_u), .v_o(ready_v));
 
-    rc_stage_delay #(.Width(2 * UvBits), .Stages(Out - Ready), .Parts(rc_pkg::ShadeParts)) u_round (
+    rc_stage_delay #(.Width(2 * UvBits), .Stages(Out - Ready), .Parts(rc_pkg::PassParts)) u_round (
       .clk_i, .rst_ni, .enter_i(face_at[Ready]), .leave_i(face_at[Out]),
       .data_i({ready_u, ready_v}), .data_o({round_u, round_v}));
   end else begin : gen_no_octahedral
@@ -459,11 +459,11 @@ module rc_pass #(
     .s13_normal_i(s13_normal), .s13_view_i(s13_view), .s9_weight_o(s9_weight),
     .s13_total_o(s13_total), .s15_d_o(s15_bounce_d));
 
-  rc_stage_delay #(.Width(ValueBits), .Stages(Out - 9), .Parts(rc_pkg::ShadeParts)) u_weight (
+  rc_stage_delay #(.Width(ValueBits), .Stages(Out - 9), .Parts(rc_pkg::PassParts)) u_weight (
     .clk_i, .rst_ni, .enter_i(bounce_at[9]), .leave_i(bounce_at[Out]), .data_i(s9_weight),
     .data_o(bounce_weight));
 
-  rc_stage_delay #(.Width(1), .Stages(Out - 13), .Parts(rc_pkg::ShadeParts)) u_total (
+  rc_stage_delay #(.Width(1), .Stages(Out - 13), .Parts(rc_pkg::PassParts)) u_total (
     .clk_i, .rst_ni, .enter_i(bounce_at[13]), .leave_i(bounce_at[Out]), .data_i(s13_total),
     .data_o(bounce_total));
 
@@ -491,15 +491,15 @@ module rc_pass #(
 
   rc_normal_side u_normal_side (
     .clk_i, .valid_i((light_at[Side+1:Side] | bounce_at[Side+1:Side])),
-    .phase_i(phase[Side*Every+rc_pkg::ShadeCut +: Every]), .n_i(side_n), .d_i(side_d),
+    .phase_i(phase[Side*Every+rc_pkg::PassCut +: Every]), .n_i(side_n), .d_i(side_d),
     .above_o(above), .below_o(below));
 
-  rc_stage_delay #(.Width(2), .Stages(Out - Side - 2), .Parts(rc_pkg::ShadeParts)) u_sides (
+  rc_stage_delay #(.Width(2), .Stages(Out - Side - 2), .Parts(rc_pkg::PassParts)) u_sides (
     .clk_i, .rst_ni, .enter_i(light_at[Side+2] || bounce_at[Side+2]),
     .leave_i(light_at[Out] || bounce_at[Out]), .data_i({above, below}),
     .data_o({end_above, end_below}));
 
-  rc_stage_delay #(.Width(3 * RayDirBits + 1), .Stages(Out - 15), .Parts(rc_pkg::ShadeParts)) u_d (
+  rc_stage_delay #(.Width(3 * RayDirBits + 1), .Stages(Out - 15), .Parts(rc_pkg::PassParts)) u_d (
     .clk_i, .rst_ni, .enter_i(sends_at[15]), .leave_i(sends_at[Out]),
     .data_i({s15_d, s15_cosine != '0}),
     .data_o({end_d, end_positive}));
@@ -510,7 +510,7 @@ module rc_pass #(
   logic [rc_pkg::AddrBits-1:0] end_home;
   logic [rc_pkg::LevelBits-1:0] end_scale;   // of the instance's texels
 
-  if (rc_pkg::Homes == 1) begin : gen_homes
+  if (rc_pkg::HasHomes) begin : gen_homes
     localparam int unsigned MapBits    = rc_pkg::MapBits;
     localparam int unsigned TranslateW = N + rc_pkg::MapFrac;
     logic [3*OriginWidth-1:0]    s5_turned_o, s19_home_o;
@@ -535,24 +535,24 @@ module rc_pass #(
 
     assign side_d = s19_home_d;
 
-    rc_stage_delay #(.Width(3 * OriginWidth), .Stages(Out - 5), .Parts(rc_pkg::ShadeParts))
+    rc_stage_delay #(.Width(3 * OriginWidth), .Stages(Out - 5), .Parts(rc_pkg::PassParts))
     u_turned (
       .clk_i, .rst_ni, .enter_i(transform_at[5]), .leave_i(transform_at[Out]), .data_i(s5_turned_o),
       .data_o(turned_o));
 
     rc_stage_delay #(.Width(3 * (OriginWidth + RayDirBits)), .Stages(Out - 19),
-                     .Parts(rc_pkg::ShadeParts))
+                     .Parts(rc_pkg::PassParts))
     u_home (
       .clk_i, .rst_ni, .enter_i(sends_at[19]), .leave_i(sends_at[Out]),
       .data_i({s19_home_o, s19_home_d}),
       .data_o({end_home_o, end_home_d}));
 
-    rc_stage_delay #(.Width(rc_pkg::AddrBits), .Stages(Out), .Parts(rc_pkg::ShadeParts)) u_here (
+    rc_stage_delay #(.Width(rc_pkg::AddrBits), .Stages(Out), .Parts(rc_pkg::PassParts)) u_here (
       .clk_i, .rst_ni, .enter_i(sends_at[0] || s0_transform),
       .leave_i(sends_at[Out] || transform_at[Out]), .data_i(here),
       .data_o(end_home));
-    if (rc_pkg::HasTextures == 1) begin : gen_scale
-      rc_stage_delay #(.Width(rc_pkg::LevelBits), .Stages(Out), .Parts(rc_pkg::ShadeParts))
+    if (rc_pkg::HasTextures) begin : gen_scale
+      rc_stage_delay #(.Width(rc_pkg::LevelBits), .Stages(Out), .Parts(rc_pkg::PassParts))
       u_scale (
         .clk_i, .rst_ni, .enter_i(s0_transform || s0_cutout),
         .leave_i(transform_at[Out] || cutout_at[Out]), .data_i(place.texel_scale),
@@ -574,7 +574,7 @@ module rc_pass #(
   logic                     enters;
   logic [3*OriginWidth-1:0] entry;
 
-  if (rc_pkg::Planes == 1) begin : gen_approach
+  if (rc_pkg::Planes) begin : gen_approach
     logic [3*PointWidth-1:0] s0_o, s15_o;
     logic [3*M-1:0]          s15_new_d, s15_short_d;
 
@@ -588,7 +588,7 @@ module rc_pass #(
       assign s15_new_d[k*M +: M] = s15_d[k*RayDirBits +: M];
     end
 
-    rc_path_register #(.Width(3 * M), .Stages(rc_pkg::ShadeCut)) u_short (
+    rc_path_register #(.Width(3 * M), .Stages(rc_pkg::PassCut)) u_short (
       .clk_i, .data_i(s15_new_d), .data_o(s15_short_d));
 
     rc_approach u_approach (
@@ -603,7 +603,7 @@ module rc_pass #(
   // axis the point is rounded up or down, to the side to which the ray leaves.
   logic [2:0] end_up;
 
-  if (rc_pkg::Horizon == 1) begin : gen_horizon
+  if (rc_pkg::Horizon) begin : gen_horizon
     logic [3*NormalBits-1:0] s0_n;
     logic [2:0]              s0_up;
 
@@ -613,7 +613,7 @@ module rc_pass #(
       assign s0_up[k] = s0_n[k*NormalBits+NormalBits-1] == s0_refract;
     end
 
-    rc_stage_delay #(.Width(3), .Stages(Out), .Parts(rc_pkg::ShadeParts)) u_up (
+    rc_stage_delay #(.Width(3), .Stages(Out), .Parts(rc_pkg::PassParts)) u_up (
       .clk_i, .rst_ni, .enter_i(s0_bounce), .leave_i(bounce_at[Out]), .data_i(s0_up),
       .data_o(end_up));
 
@@ -628,7 +628,7 @@ module rc_pass #(
   logic [3*SumBits-1:0]   end_sum;
   logic [3*ValueBits-1:0] end_least, end_most, end_mean;
 
-  if (rc_pkg::Supersampling == 1) begin : gen_samples
+  if (rc_pkg::Supersampling) begin : gen_samples
     logic         s4_more;
     logic [3*SumBits-1:0] s4_sum;
     logic [3*ValueBits-1:0]  s4_least, s4_most, s4_mean;
@@ -640,7 +640,7 @@ module rc_pass #(
       .s4_colour_o(s4_mean));
 
     rc_stage_delay #(.Width(1 + 3 * SumBits + 9 * ValueBits), .Stages(Out - 4),
-                     .Parts(rc_pkg::ShadeParts))
+                     .Parts(rc_pkg::PassParts))
       u_end (
       .clk_i, .rst_ni, .enter_i(end_at[4]), .leave_i(end_at[Out]),
       .data_i({s4_more, s4_sum, s4_least, s4_most, s4_mean}),

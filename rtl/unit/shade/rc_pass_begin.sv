@@ -44,7 +44,7 @@ module rc_pass_begin #(
   assign u     = hit_i.u;
   assign v     = hit_i.v;
 
-  if (rc_pkg::HasTextures == 1) begin : gen_first
+  if (rc_pkg::HasTextures) begin : gen_first
     assign first = state_i.holes == '0;
   end else begin : gen_always_first
     assign first = 1'b1;
@@ -55,11 +55,11 @@ module rc_pass_begin #(
   assign handles        = valid_i && !cutout_i;
   assign surf_o         = valid_i && has_material_o;
   assign light_o        = handles && state_i.next_event == rc_pkg::EventLight;
-  assign refract_o      = rc_pkg::Refraction == 1 && state_i.next_event == rc_pkg::EventRefract;
+  assign refract_o      = rc_pkg::Refraction && state_i.next_event == rc_pkg::EventRefract;
   assign bounce_o       = handles && (refract_o || state_i.next_event == rc_pkg::EventReflect);
-  assign transform_o    = valid_i && rc_pkg::Homes == 1
+  assign transform_o    = valid_i && rc_pkg::HasHomes
       && state_i.next_event == rc_pkg::EventTransform;
-  assign texture_o      = valid_i && rc_pkg::HasTextures == 1
+  assign texture_o      = valid_i && rc_pkg::HasTextures
       && state_i.next_event == rc_pkg::EventTexture;
   assign end_o          = handles && state_i.next_event == rc_pkg::EventPop;
 
@@ -125,7 +125,7 @@ module rc_pass_begin #(
     assign known_o = known_round;
   end
 
-  if (rc_pkg::HasTextures == 1) begin : gen_texture
+  if (rc_pkg::HasTextures) begin : gen_texture
     always_comb begin
       known_texture = known;
       if (has_material_o) begin
@@ -141,7 +141,7 @@ module rc_pass_begin #(
     assign known_texture = known;
   end
 
-  if (rc_pkg::HasTextures == 1 && rc_pkg::Spheres == 1) begin : gen_round
+  if (rc_pkg::HasTextures && rc_pkg::Spheres) begin : gen_round
     always_comb begin
       known_round = known_texture;
       if (has_material_o) known_round.is_round = surface_i.kind == rc_pkg::PrimSphere;

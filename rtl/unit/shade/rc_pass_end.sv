@@ -1,6 +1,6 @@
 // The end of a pass: the context's new state, and the outputs. Part of rc_pass.
 //
-// It has no registers unless a pass stays long in a stage (rc_pkg::ShadeCut). In that case all
+// It has no registers unless a pass stays long in a stage (rc_pkg::PassCut). In that case all
 // inputs come early in the last stage and stay until its end. The decision takes several cycles,
 // and take_i latches it. Inputs that wait in parts come two cycles before take_i (rc_stage_delay).
 // So at most two registers may lie in a row.
@@ -90,7 +90,7 @@ module rc_pass_end #(
   output logic [rc_pkg::PixelW-1:0]          pixel_o,
   output logic [rc_pkg::TexReqW-1:0]         tex_req_o
 );
-  localparam int unsigned Cut = rc_pkg::ShadeCut;
+  localparam int unsigned Cut = rc_pkg::PassCut;
 
   // ---- Event of the pass.
   logic [2:0] event_now;
@@ -99,12 +99,12 @@ module rc_pass_end #(
   logic       is_texture, texture_now;
   logic [7:0] events;
 
-  assign texture_now = rc_pkg::HasTextures == 1 && event_now == rc_pkg::EventTexture;
+  assign texture_now = rc_pkg::HasTextures && event_now == rc_pkg::EventTexture;
   assign event_now = begin_state_i.next_event;
-  assign waits     = rc_pkg::Refraction == 1 && begin_state_i.waiting != '0;
+  assign waits     = rc_pkg::Refraction && begin_state_i.waiting != '0;
 
   assign events = {texture_now, event_now == rc_pkg::EventArrive, event_now == rc_pkg::EventLight,
-                   rc_pkg::Refraction == 1 && event_now == rc_pkg::EventRefract,
+                   rc_pkg::Refraction && event_now == rc_pkg::EventRefract,
                    event_now == rc_pkg::EventReflect, event_now == rc_pkg::EventPop && waits,
                    event_now == rc_pkg::EventPop && !waits,
                    event_now == rc_pkg::EventPop && !waits && more_i};
@@ -138,10 +138,10 @@ module rc_pass_end #(
 
   assign far        = begin_state_i.is_far;
   assign starts     = !far || (!begin_state_i.is_lost && enters_i);
-  assign beyond     = rc_pkg::Horizon == 1 && far && !begin_state_i.is_lost && !enters_i;
+  assign beyond     = rc_pkg::Horizon && far && !begin_state_i.is_lost && !enters_i;
   assign next_light = surf_i || transform_i || texture_now ? '0 : begin_state_i.light + 7'd1;
   assign follows    = begin_state_i.depth >= frame_i.depth ? rc_pkg::EventPop
-                    : rc_pkg::Refraction == 1 && transmits_i ? rc_pkg::EventRefract
+                    : rc_pkg::Refraction && transmits_i ? rc_pkg::EventRefract
                     : mirrors_i ? rc_pkg::EventReflect : rc_pkg::EventPop;
 
   logic [2:0] unlit;
@@ -155,7 +155,7 @@ module rc_pass_end #(
   // With two levels a refracted ray is sent only if a component of its direction reaches a quarter
   // of a unit vector: shortest_held() in model/unit/shade/bounce.hpp.
   logic held;
-  if (rc_pkg::Homes == 1) begin : gen_held
+  if (rc_pkg::HasHomes) begin : gen_held
     localparam logic signed [RayDirBits-1:0] Quarter = RayDirBits'(1) <<< (M - 4);
     logic [2:0] holds;
     for (genvar k = 0; k < 3; k++) begin : gen_component
@@ -220,7 +220,7 @@ module rc_pass_end #(
   // Through a hole the ray continues, at most 63 times.
   logic goes_on;
 
-  if (rc_pkg::HasTextures == 1) begin : gen_holes
+  if (rc_pkg::HasTextures) begin : gen_holes
     assign goes_on = is_texture && hole_i && begin_state_i.holes != '1;
   end else begin : gen_no_holes
     assign goes_on = 1'b0;
@@ -244,7 +244,7 @@ module rc_pass_end #(
 
     if (is_arrive) begin
       next.next_event = !surf_i ? rc_pkg::EventPop
-                      : rc_pkg::Homes == 1 ? rc_pkg::EventTransform : after;
+                      : rc_pkg::HasHomes ? rc_pkg::EventTransform : after;
     end
 
     if (transform_i) next.next_event = after;
@@ -308,9 +308,9 @@ module rc_pass_end #(
   logic                       asks_cutout;
   logic [rc_pkg::TexReqW-1:0] tex_req;
 
-  if (rc_pkg::HasTextures == 1) begin : gen_texture
+  if (rc_pkg::HasTextures) begin : gen_texture
 
-    assign asks_texture = (cutout_i || (rc_pkg::Homes == 1 ? transform_i : surf_i))
+    assign asks_texture = (cutout_i || (rc_pkg::HasHomes ? transform_i : surf_i))
                        && begin_state_i.record != '0;
     assign asks_cutout  = cutout_i && begin_state_i.record != '0;
 
@@ -332,7 +332,7 @@ module rc_pass_end #(
                           : surf_i || turned ? surf_cosine_i : begin_state_i.cosine;
     assign tex_req        = request;
 
-    if (rc_pkg::Spheres == 1) begin : gen_round
+    if (rc_pkg::Spheres) begin : gen_round
       assign request.u = begin_state_i.is_round && !cutout_i ? round_u_i : u_i;
       assign request.v = begin_state_i.is_round && !cutout_i ? round_v_i : v_i;
     end else begin : gen_no_round
@@ -343,7 +343,7 @@ module rc_pass_end #(
       assign unused = ^{round_u_i, round_v_i};
     end
 
-    if (rc_pkg::Homes == 1) begin : gen_scale
+    if (rc_pkg::HasHomes) begin : gen_scale
       assign request.scale = scale_i;
     end else begin : gen_no_scale
       logic unused;
@@ -370,7 +370,7 @@ module rc_pass_end #(
     assign sided = textured;
   end
 
-  if (rc_pkg::Homes == 1) begin : gen_inner
+  if (rc_pkg::HasHomes) begin : gen_inner
     always_comb begin
       now = sided;
       now.inner = inner;
@@ -426,11 +426,11 @@ module rc_pass_end #(
     assign waiting.in_cell = begin_state_i.across;
   end
 
-  if (rc_pkg::HasTextures == 1) begin : gen_waiting_path
+  if (rc_pkg::HasTextures) begin : gen_waiting_path
     assign waiting.path = begin_state_i.path;
   end
 
-  if (rc_pkg::Horizon == 1) begin : gen_waiting_partial   // planes only
+  if (rc_pkg::Horizon) begin : gen_waiting_partial   // planes only
     assign waiting.is_partial = beyond;
   end
 
@@ -442,7 +442,7 @@ module rc_pass_end #(
   assign spawn_place = is_next ? '0 : is_pop ? top_o : is_light && light_near_i ? place : start;
 
   logic top_partial, partial;   // tests no planes; a bounce tests planes only
-  if (rc_pkg::Horizon == 1) begin : gen_top_partial
+  if (rc_pkg::Horizon) begin : gen_top_partial
     assign top_partial = top_i.is_partial;
   end else begin : gen_top_whole
     assign top_partial = 1'b0;
@@ -461,23 +461,23 @@ module rc_pass_end #(
   assign spawn.o      = spawn_place;
   assign spawn.d      = spawn_way;
 
-  if (rc_pkg::HasTextures == 1) begin : gen_light_holes
+  if (rc_pkg::HasTextures) begin : gen_light_holes
     assign spawn.holes = is_light ? begin_state_i.light_holes : '0;
   end
 
-  if (rc_pkg::Planes == 1) begin : gen_partial
+  if (rc_pkg::Planes) begin : gen_partial
     assign spawn.is_partial = partial;
   end else begin : gen_no_planes
     logic unused;
     assign unused = partial;
   end
 
-  if (rc_pkg::Spheres == 1) begin : gen_self
+  if (rc_pkg::Spheres) begin : gen_self
     assign spawn.self      = is_next ? '0 : is_pop ? top_i.self : begin_state_i.self;
     assign spawn.is_inside = is_next ? 1'b0 : is_pop ? top_i.is_inside : begin_state_i.is_inside;
   end
 
-  if (rc_pkg::Homes == 1) begin : gen_home
+  if (rc_pkg::HasHomes) begin : gen_home
     logic [3*M-1:0]          short_home_d, top_home_d;
     logic [3*RayDirBits-1:0] top_way;
 
@@ -508,16 +508,16 @@ module rc_pass_end #(
   assign pixel.u     = begin_state_i.u;
   assign pixel.v     = begin_state_i.v;
 
-  if (rc_pkg::Shades == 1) begin : gen_colour   // tools also parse a chip without shade
+  if (rc_pkg::HasShade) begin : gen_colour   // tools also parse a chip without shade
     assign pixel.back   = 1'b0;
-    assign pixel.colour = rc_pkg::Supersampling == 1 ? mean_i : begin_colour;
+    assign pixel.colour = rc_pkg::Supersampling ? mean_i : begin_colour;
   end
 
-  if (rc_pkg::Homes == 1) begin : gen_pixel_of_instances
+  if (rc_pkg::HasHomes) begin : gen_pixel_of_instances
     assign pixel.place = '0;
   end
 
-  if (rc_pkg::HasTextures == 1) begin : gen_no_cutout_pixel
+  if (rc_pkg::HasTextures) begin : gen_no_cutout_pixel
     assign pixel.cutout = 1'b0;
   end
 

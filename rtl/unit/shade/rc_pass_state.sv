@@ -40,7 +40,7 @@ module rc_pass_state #(
   assign known_many.most   = known_i.most;
 
   rc_stage_delay #(.Width(RayBits + FrontW + 6 + DepthBits + PrimBits), .Stages(Stages),
-    .Parts(rc_pkg::ShadeParts)) u_all (
+    .Parts(rc_pkg::PassParts)) u_all (
     .clk_i, .rst_ni, .enter_i, .leave_i,
     .data_i({ray_i, known[StateW-1 -: FrontW], known_i.is_far, known_i.is_lost,
              known_i.mirror != '0, known_i.transmit != '0, known_i.total, known_i.is_inside,
@@ -48,9 +48,9 @@ module rc_pass_state #(
     .data_o({ray_o, front, is_far, is_lost, mirrors_o, transmits_o, total, is_inside, waiting,
              self}));
 
-  if (rc_pkg::Supersampling == 1) begin : gen_many
+  if (rc_pkg::Supersampling) begin : gen_many
     rc_stage_delay #(
-      .Width(rc_pkg::ShadeSamplesW), .Stages(Stages), .Parts(rc_pkg::ShadeParts)) u_many (
+      .Width(rc_pkg::ShadeSamplesW), .Stages(Stages), .Parts(rc_pkg::PassParts)) u_many (
       .clk_i, .rst_ni, .enter_i, .leave_i, .data_i(known_many), .data_o(many));
   end else begin : gen_one
     assign many = '0;
@@ -72,8 +72,8 @@ module rc_pass_state #(
   rc_pkg::shade_state_t with_texture;
 
   // With textures: the texture's record, and the old cosine for an instance without a map.
-  if (rc_pkg::HasTextures == 1) begin : gen_texture
-    localparam int unsigned CosineW = rc_pkg::Homes == 1 ? rc_pkg::ValueBits : 1;
+  if (rc_pkg::HasTextures) begin : gen_texture
+    localparam int unsigned CosineW = rc_pkg::HasHomes ? rc_pkg::ValueBits : 1;
     logic [rc_pkg::AddrBits-1:0] record;
     logic [CosineW-1:0]          cosine;
     logic [rc_pkg::ValueBits-1:0] known_cosine;
@@ -81,7 +81,7 @@ module rc_pass_state #(
     assign known_cosine = known_i.cosine;
 
     rc_stage_delay #(.Width(rc_pkg::AddrBits + CosineW), .Stages(Stages),
-                     .Parts(rc_pkg::ShadeParts)) u_texture (
+                     .Parts(rc_pkg::PassParts)) u_texture (
       .clk_i, .rst_ni, .enter_i, .leave_i, .data_i({known_i.record, known_cosine[CosineW-1:0]}),
       .data_o({record, cosine}));
 
@@ -98,10 +98,10 @@ module rc_pass_state #(
   end
 
   // With textures and spheres: whether the surface is a sphere.
-  if (rc_pkg::HasTextures == 1 && rc_pkg::Spheres == 1) begin : gen_round
+  if (rc_pkg::HasTextures && rc_pkg::Spheres) begin : gen_round
     logic is_round;
 
-    rc_stage_delay #(.Width(1), .Stages(Stages), .Parts(rc_pkg::ShadeParts)) u_round (
+    rc_stage_delay #(.Width(1), .Stages(Stages), .Parts(rc_pkg::PassParts)) u_round (
       .clk_i, .rst_ni, .enter_i, .leave_i, .data_i(known_i.is_round), .data_o(is_round));
 
     always_comb begin

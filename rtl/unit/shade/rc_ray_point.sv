@@ -31,7 +31,7 @@ module rc_ray_point #(
   // loads.
   logic s0_sphere;
 
-  rc_path_register #(.Width(1), .Stages(rc_pkg::ShadeCut)) u_sphere (
+  rc_path_register #(.Width(1), .Stages(rc_pkg::PassCut)) u_sphere (
     .clk_i, .data_i(sphere_i[0]), .data_o(s0_sphere));
 
   logic [3*OriginWidth-1:0] s1_o;

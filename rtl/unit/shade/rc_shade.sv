@@ -77,21 +77,21 @@ module rc_shade (
   assign closest_ready_o = 1'b1;
 
   // In a fast chip the answer is one cycle in flight, and then one cycle here.
-  localparam int unsigned Late = rc_pkg::Cut + rc_pkg::FarCut;
+  localparam int unsigned Late = rc_pkg::PathCut + rc_pkg::FarPathCut;
 
   logic                answers, way_found, way_asks;
   logic [RayBits-1:0]  way_ray;
   logic [PrimBits-1:0] way_prim;
   logic [AddrBits-1:0] closest_place;
 
-  if (rc_pkg::Homes == 1) begin : gen_place_of_hit
+  if (rc_pkg::HasHomes) begin : gen_place_of_hit
     rc_path_register #(.Width(AddrBits), .Stages(Late)) u_place_of_hit (
       .clk_i, .data_i(closest_i.place), .data_o(closest_place));
   end else begin : gen_no_place_of_hit
     assign closest_place = '0;
   end
 
-  rc_path_register #(.Width(RayBits + PrimBits + 1), .Stages(rc_pkg::FarCut)) u_way (
+  rc_path_register #(.Width(RayBits + PrimBits + 1), .Stages(rc_pkg::FarPathCut)) u_way (
     .clk_i, .data_i({closest_i.ray, closest_i.prim, closest_i.found}),
     .data_o({way_ray, way_prim, way_found}));
 
@@ -100,10 +100,10 @@ module rc_shade (
     .data_o({closest_ray, closest_prim, wants_surface}));
 
   // A cut-out in the way to a light needs its texture, so its surface is fetched too.
-  if (rc_pkg::HasTextures == 1) begin : gen_cutout
+  if (rc_pkg::HasTextures) begin : gen_cutout
     logic way_cutout;
 
-    rc_path_register #(.Width(1), .Stages(rc_pkg::FarCut)) u_way_cutout (
+    rc_path_register #(.Width(1), .Stages(rc_pkg::FarPathCut)) u_way_cutout (
       .clk_i, .data_i(closest_i.cutout), .data_o(way_cutout));
     assign way_asks = way_found && (!any_hit || way_cutout);
   end else begin : gen_no_cutout
@@ -159,7 +159,7 @@ module rc_shade (
   logic                 arrived_valid, arrived_pop;
   logic [RayBits-1:0]   arrived_ray;
 
-  if (rc_pkg::Homes == 0) begin : gen_fetch
+  if (!rc_pkg::HasHomes) begin : gen_fetch
     logic [AddrBits-1:0]         surfaces, line;
     logic [RayBits+AddrBits-1:0] fetch;
 
@@ -205,7 +205,7 @@ module rc_shade (
     assign place_data.a    = instance_came.a;
     assign place_data.b    = instance_came.b;
 
-    if (rc_pkg::HasTextures == 1) begin : gen_texel_scale
+    if (rc_pkg::HasTextures) begin : gen_texel_scale
       logic to_light;
 
       assign place_data.texel_scale = instance_came.texel_scale;
@@ -249,7 +249,7 @@ module rc_shade (
       if (lent_q[came_ray]) lent[SchlickAt]     = material[LentW];
     end
 
-    if (rc_pkg::HasTextures == 1) begin : gen_no_lent_texture
+    if (rc_pkg::HasTextures) begin : gen_no_lent_texture
       logic [rc_pkg::SurfaceW-1:0] plain;   // without a texture
 
       always_comb begin
@@ -383,11 +383,11 @@ module rc_shade (
   assign closest_hit.u     = closest_i.u;
   assign closest_hit.v     = closest_i.v;
 
-  if (rc_pkg::Shading == 1) begin : gen_side   // always, but tools read this without
+  if (rc_pkg::Shading) begin : gen_side   // always, but tools read this without
     assign closest_hit.back = closest_i.back;
   end
 
-  if (rc_pkg::HasTextures == 1) begin : gen_cutout_of_hit
+  if (rc_pkg::HasTextures) begin : gen_cutout_of_hit
     assign closest_hit.cutout = closest_i.cutout;
   end
 
@@ -454,7 +454,7 @@ module rc_shade (
     logic [SpawnDataW-1:0] spawn_then;
     logic [PixelDataW-1:0] pixel_then;
 
-    if (rc_pkg::ShadeCut == 0) begin : gen_keep
+    if (rc_pkg::PassCut == 0) begin : gen_keep
       always_ff @(posedge clk_i) begin
         if (end_valid) begin
           spawn_then <= SpawnDataW'(spawn);
@@ -476,7 +476,7 @@ module rc_shade (
   end
 
   // ---- With textures: hits that wait for tex, and contexts whose texture colour has arrived.
-  if (rc_pkg::HasTextures == 1) begin : gen_textures
+  if (rc_pkg::HasTextures) begin : gen_textures
     localparam int unsigned TexDataW = rc_pkg::TexReqW - RayBits;
     logic [RayBits-1:0]  tex_ray;
     logic [TexDataW-1:0] tex_data;

@@ -48,7 +48,7 @@ module rc_surf #(
   localparam int unsigned BaryBits    = rc_pkg::BaryBits;
   localparam int unsigned Drop        = BaryBits - OriginBits;         // bits that u and v lose
   // More bits on triangles with coarse edges.
-  localparam int unsigned MostFine    = rc_pkg::MostFine;
+  localparam int unsigned MostFine    = rc_pkg::MaxFine;
   // Of u and v afterwards, signed.
   localparam int unsigned WeightW     = UvBits + 2 - Drop + MostFine;
   localparam int unsigned RoundW      = UvBits + 2 > WeightW ? UvBits + 2 : WeightW;
@@ -69,8 +69,8 @@ module rc_surf #(
   logic [2:0] s0_fine, s1_fine_q, s2_fine_q;
 
   assign s0_fine      = s0_plane ? 3'd0 : s0_surface_i.fine;
-  assign s0_sphere    = rc_pkg::Spheres == 1 && s0_surface_i.kind == rc_pkg::PrimSphere;
-  assign s0_plane     = rc_pkg::Planes == 1 && s0_surface_i.kind == rc_pkg::PrimPlane;
+  assign s0_sphere    = rc_pkg::Spheres && s0_surface_i.kind == rc_pkg::PrimSphere;
+  assign s0_plane     = rc_pkg::Planes && s0_surface_i.kind == rc_pkg::PrimPlane;
   assign sphere       = {sphere_q, s0_sphere};
 
   always_ff @(posedge clk_i) begin
@@ -81,7 +81,7 @@ module rc_surf #(
   assign s0_a         = s0_surface_i.a;
   assign s0_b         = s0_surface_i.b;
   assign s0_c         = s0_surface_i.c;
-  assign s0_smooth    = rc_pkg::Smooth == 1 && s0_surface_i.smooth && !s0_sphere;
+  assign s0_smooth    = rc_pkg::Smooth && s0_surface_i.smooth && !s0_sphere;
   assign s0_ends      = s0_plane && (s0_u_i[UvBits-2:0] == {(UvBits-1){!s0_u_i[UvBits-1]}}
                                      || s0_v_i[UvBits-2:0] == {(UvBits-1){!s0_v_i[UvBits-1]}});
 
@@ -104,7 +104,7 @@ module rc_surf #(
 
   assign s0_drop = 6'(Drop) - {3'd0, s0_fine};
 
-  rc_path_register #(.Width(6), .Stages(rc_pkg::ShadeCut)) u_drop (
+  rc_path_register #(.Width(6), .Stages(rc_pkg::PassCut)) u_drop (
     .clk_i, .data_i(s0_drop), .data_o(s0_by));
 
   for (genvar i = 0; i < 2; i++) begin : gen_weight
@@ -116,12 +116,12 @@ module rc_surf #(
     assign sum = $signed({{(RoundW-UvBits){s0_plane && x[UvBits-1]}}, x})
                + $signed(RoundW'(1) << s0_by >> 1);
 
-    rc_path_register #(.Width(RoundW), .Stages(rc_pkg::ShadeCut)) u_sum (
+    rc_path_register #(.Width(RoundW), .Stages(rc_pkg::PassCut)) u_sum (
       .clk_i, .data_i(sum), .data_o(sum_q));
 
     assign shifted = sum_q >>> s0_by;
 
-    rc_path_register #(.Width(WeightW), .Stages(rc_pkg::ShadeCut)) u_moved (
+    rc_path_register #(.Width(WeightW), .Stages(rc_pkg::PassCut)) u_moved (
       .clk_i, .data_i(shifted[WeightW-1:0]), .data_o(moved));
 
     assign weight = {moved[WeightW-1:1], moved[0] || (!s0_plane && moved == '0)};
@@ -155,7 +155,7 @@ module rc_surf #(
   assign s1_over   = s1_in ? '0 : s1_u_q + s1_v_q - s1_one + $signed(WeightW'(1));
   assign s1_more   = s1_u_q > s1_v_q;
 
-  rc_path_register #(.Width(WeightW + 1), .Stages(rc_pkg::ShadeCut)) u_excess (
+  rc_path_register #(.Width(WeightW + 1), .Stages(rc_pkg::PassCut)) u_excess (
     .clk_i, .data_i({s1_over, s1_more}), .data_o({s1_excess, s1_u_more}));
 
   assign s2_rest   = ($signed((WeightW+2)'(1 << OriginBits)) << s2_fine_q) - (WeightW+2)'(s2_u_q)
@@ -291,12 +291,12 @@ module rc_surf #(
   always_ff @(posedge clk_i)
     if (valid_i[4]) begin
       s5_far_o  <= !sphere[4] && (s4_ends || s4_beyond != '0
-                                  || (rc_pkg::Planes == 1 && s4_outside != '0));
+                                  || (rc_pkg::Planes && s4_outside != '0));
       s5_lost_o <= !sphere[4] && (s4_ends || s4_beyond != '0);
     end
 
   // Weighted corner normals.
-  if (rc_pkg::Smooth == 1) begin : gen_smooth
+  if (rc_pkg::Smooth) begin : gen_smooth
     rc_corner_normals #(.WeightW(WeightW), .NormalSumW(NormalSumW)) u_corner_normals (
       .clk_i, .valid_i(valid_i[3:0]), .phase_i(phase_i[2*Every +: Every]),
       .s0_normal_i(s0_normal), .s2_rest_i(s2_rest),
@@ -309,7 +309,7 @@ module rc_surf #(
   end
 
   // A sphere's point: o + t d.
-  if (rc_pkg::Spheres == 1) begin : gen_ray_point
+  if (rc_pkg::Spheres) begin : gen_ray_point
     rc_ray_point u_ray_point (
       .clk_i, .valid_i(valid_i[3:0]), .phase_i(phase_i[Every-1:0]), .sphere_i(sphere[3:0]),
       .s0_o_i, .s0_d_i, .s0_t_i,

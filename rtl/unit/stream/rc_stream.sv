@@ -40,7 +40,7 @@ module rc_stream (
 
   assign number = {slot_i.y, slot_i.x};
 
-  if (rc_pkg::Streams == 1) begin : gen_addr   // tools also parse a chip without streams
+  if (rc_pkg::IsStream) begin : gen_addr   // tools also parse a chip without streams
     assign addr = {frame_i.rays, 1'b0} + (AddrBits+1)'(number);
   end else begin : gen_none
     assign addr = '0;

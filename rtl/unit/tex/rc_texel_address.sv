@@ -38,7 +38,7 @@ module rc_texel_address #(
   localparam int unsigned DiffW     = CoordBits + 1;
   localparam int unsigned ProductW  = DiffW + UvBits + 1;
   // In a chip with planes u and v are signed and have PlaneBits more whole bits.
-  localparam bit          Planes    = rc_pkg::Planes == 1;
+  localparam bit          Planes    = rc_pkg::Planes;
   localparam int unsigned SumW      = CoordBits + 3 + (Planes ? rc_pkg::PlaneBits : 0);
   localparam int unsigned TexelW    = Frac;             // a coordinate in texels: 12.8 bits
   localparam int unsigned LogW      = 5 + LevelFrac;    // logarithm of a number of up to 32 bits
@@ -80,7 +80,7 @@ module rc_texel_address #(
   // With two levels the density refers to mesh steps; the hit carries the instance's scale.
   logic signed [LevelBits:0] s0_dense;
 
-  if (rc_pkg::Homes == 1) begin : gen_scale
+  if (rc_pkg::HasHomes) begin : gen_scale
     logic signed [LevelBits-1:0] s0_scale;
 
     assign {s0_scale, s0_path, s0_cosine, s0_u, s0_v} = hit_i;
@@ -142,7 +142,7 @@ module rc_texel_address #(
   assign frame_flat  = frame_i;
   assign shade_frame = rc_pkg::ShadeFrameW'(frame_flat);
 
-  if (rc_pkg::HasTextures == 1) begin : gen_spread   // tools also parse a chip without textures
+  if (rc_pkg::HasTextures) begin : gen_spread   // tools also parse a chip without textures
     logic signed [LevelBits-1:0] spread_q;
 
 

@@ -33,7 +33,7 @@ module rc_node_answer #(
   output logic [rc_pkg::BoxRspW-1:0]     rsp_o
 );
   localparam int unsigned EntryW = TBits + OffsetBits + CountBits;
-  localparam int unsigned In     = rc_pkg::Cut;
+  localparam int unsigned In     = rc_pkg::PathCut;
   localparam int unsigned Rank   = Latency - rc_pkg::RankStages;
 
   // Ray and base wait until the end, the kinds until rc_child_offsets needs them.

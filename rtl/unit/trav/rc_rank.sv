@@ -34,7 +34,7 @@ module rc_rank #(
   localparam int unsigned KeyW   = 2 + TBits + OffsetBits + CountBits;
   localparam int unsigned Levels = NodeWidth == 2 ? 1 : NodeWidth == 4 ? 3 : 6;
   localparam int unsigned Middle = NodeWidth == 2 ? 0 : 2; // level with a register in every chip
-  localparam int unsigned Cut    = rc_pkg::Cut;
+  localparam int unsigned Cut    = rc_pkg::PathCut;
 
   // In a simulation of a relaxed chip, invalid keys cost no work. Silicon has no such condition.
   logic asks;

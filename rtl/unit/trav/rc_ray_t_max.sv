@@ -50,7 +50,7 @@ module rc_ray_t_max #(
     .clk_i, .rst_ni, .clear_i(start_fires_i), .clear_at_i(start_ray),
     .set_i(write_i), .set_at_i(write_ray_i), .flags_o(written));
 
-  if (rc_pkg::Shading != 0) begin : gen_kinds
+  if (rc_pkg::Shading) begin : gen_kinds
     logic is_shadow;
 
     assign is_shadow = start_i.kind == rc_pkg::RayShadow;

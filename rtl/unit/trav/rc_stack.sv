@@ -39,7 +39,7 @@ module rc_stack (
                                  + (NodeWidth - 1) * (TBits + SlotBits);
 
   localparam int unsigned Late = rc_pkg::StackStages;
-  localparam int unsigned Cut  = rc_pkg::Cut;
+  localparam int unsigned Cut  = rc_pkg::PathCut;
   localparam int unsigned AddrW = rc_pkg::Contexts * StackDepth < 2
                                 ? 1 : $clog2(rc_pkg::Contexts * StackDepth);
 
@@ -139,7 +139,7 @@ module rc_stack (
   assign {top_below, top_base, top_count, top_near, top_slot} = group;
   assign near = children.t_near;
 
-  if (rc_pkg::Shading != 0) begin : gen_stop
+  if (rc_pkg::Shading) begin : gen_stop
     assign stop = tested.stop;
   end else begin : gen_go_on
     assign stop = 1'b0;

@@ -104,7 +104,7 @@ module rc_trav (
   // DirBits only: shadow rays fill RayDirBits.
   logic is_short;
 
-  if (rc_pkg::Shading != 0) begin : gen_kinds
+  if (rc_pkg::Shading) begin : gen_kinds
     assign is_short = ray_i.kind != rc_pkg::RayShadow;
   end else begin : gen_camera
     assign is_short = 1'b1;
@@ -147,7 +147,7 @@ module rc_trav (
     logic [RayBits-1:0]  changed_at;
     logic [MeshRayW-1:0] change_data, changed_ray;
 
-    if (rc_pkg::Homes == 1) begin : gen_homes
+    if (rc_pkg::HasHomes) begin : gen_homes
       assign keep_way      = {ray_i.kind, ray_i.home, ray_i.home_o, ray_i.home_d, ray_d};
       assign changed_short = change_i.kind != rc_pkg::RayShadow;
     end else begin : gen_no_homes
@@ -277,7 +277,7 @@ module rc_trav (
 
   assign leaves_near = leaves.t_near;
 
-  if (rc_pkg::Cut == 0) begin : gen_in_now
+  if (rc_pkg::PathCut == 0) begin : gen_in_now
     logic matters;
     assign matters        = leaves.leaves != '0 && leaves_near[TBits-1:0] <= leaves_beat;
     assign rsp2_fires     = rsp0_fires;

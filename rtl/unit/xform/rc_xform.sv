@@ -43,7 +43,7 @@ module rc_xform (
   localparam int unsigned Share  =    rc_pkg::RecipShare;
 
   // Stages in which a ray has arrived, its products are ready, and it is transformed.
-  localparam int unsigned In    = rc_pkg::Cut;
+  localparam int unsigned In    = rc_pkg::PathCut;
   localparam int unsigned Moved = rc_pkg::MapStages;
   localparam int unsigned Made  = Moved - 2;
 
@@ -180,7 +180,7 @@ module rc_xform (
   end
 
   // ---- Home: a ray that starts from this instance, or a shadow ray that ends there.
-  if (rc_pkg::Homes == 1) begin : gen_homes
+  if (rc_pkg::HasHomes) begin : gen_homes
     logic in_home;
 
     assign in_shadow = in.kind == rc_pkg::RayShadow;
@@ -243,7 +243,7 @@ module rc_xform (
   localparam int unsigned WhoseW = rc_pkg::ChangeW - 3 * (OriginWidth + RayDirBits + R1 + ExpBits);
   logic [WhoseW-1:0]    in_whose, end_whose;
 
-  if (rc_pkg::Homes == 1) begin : gen_whose_home
+  if (rc_pkg::HasHomes) begin : gen_whose_home
     assign in_whose = {in.ray, in.kind, in.first, in.root, in.here};
   end else begin : gen_whose
     assign in_whose = {in.ray, in.first, in.root};

@@ -130,8 +130,9 @@ RayRecord random_record(const std::vector<PrimData>& prims, const Config& config
     const std::int32_t most = (1 << (config.coord_bits - 1)) - 1, far = (1 << (config.dir_bits - 1)) - 1;
     const PrimData& prim = prims[std::size_t(dice.below(int(prims.size())))];
     const Vec3i target = dice.near(prim.a, dice.below(3), most), point = dice.point(most);
-    RayRecord record{std::uint32_t(RayKind::bounce) + std::uint32_t(dice.below(3)), {}, {}};
-    const bool shadow = RayKind(record.kind) == RayKind::shadow, aims = dice.below(3) > 0;
+    const RayKind kinds[] = {RayKind::bounce, RayKind::shadow, RayKind::away};
+    RayRecord record{kinds[dice.below(3)], {}, {}};
+    const bool shadow = record.kind == RayKind::shadow, aims = dice.below(3) > 0;
     for (std::size_t k = 0; k < 3; ++k) {
         const std::int32_t part = shadow ? 0 : dice.below(1 << frac);
         record.o[k] = point[k] * (1 << frac) + part;

@@ -29,7 +29,7 @@ PrimData sphere(const Vec3i& centre, std::uint64_t square, int bits) {
         return std::int32_t(std::int64_t(part << (64 - bits)) >> (64 - bits));
     };
     PrimData s;
-    s.kind = std::uint32_t(PrimKind::sphere);
+    s.kind = PrimKind::sphere;
     s.a = centre;
     s.b = {field(square), field(square >> bits), std::int32_t(square & 1)};   // last: the inside is visible
     return s;
@@ -37,7 +37,7 @@ PrimData sphere(const Vec3i& centre, std::uint64_t square, int bits) {
 
 PrimData plane(const Vec3i& a, const Vec3i& b, const Vec3i& c) {
     PrimData p = triangle(a, b, c);
-    p.kind = std::uint32_t(PrimKind::plane);
+    p.kind = PrimKind::plane;
     return p;
 }
 
@@ -80,19 +80,18 @@ template <class Make> std::vector<PrimData> many(int count, const Config& config
 Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, SurfaceStyle style) {
     Surface s;
     const bool flat = prim.is_triangle();
-    s.kind = flat ? std::uint32_t(PrimKind::triangle) : prim.kind;
+    s.kind = flat ? PrimKind::triangle : prim.kind;
     s.a = prim.a, s.b = prim.b, s.c = prim.c;
     if (flat) s.fine = fine_of(prim, config);
     s.smooth = style != SurfaceStyle::clear && config.smooth && flat && dice.percent(40);
     for (auto& x : s.normal) x = s.smooth ? dice.number(max_of(corner_bits)) : 0;
     // The phases of a plane's squares, and the bits that distinguish them.
-    if (s.kind == std::uint32_t(PrimKind::plane))
+    if (s.kind == PrimKind::plane)
         for (std::size_t side : {0u, 1u}) {
             s.normal[side] = dice.number(max_of(corner_bits));
             s.normal[2 + side] = dice.between(-1, config.bary_bits + corner_bits - 1);
         }
-    if (s.kind == std::uint32_t(PrimKind::plane) && config.panes > 0)
-        s.normal[4] = 1 << dice.below(config.panes);
+    if (s.kind == PrimKind::plane && config.panes > 0) s.normal[4] = 1 << dice.below(config.panes);
     s.checkered = dice.percent(50), s.schlick = dice.percent(30);
     s.colour = dice.colour(share_bits), s.other = dice.colour(share_bits);
     s.ambient = dice.share(share_bits), s.diffuse = dice.share(share_bits),

@@ -24,7 +24,7 @@ void Textures::make_cutouts(std::vector<PrimData>& prims) {
     if (!config_.has_textures() || style_ == SurfaceStyle::bright) return;
     for (PrimData& prim : prims)
         if (prim.is_triangle() && (style_ == SurfaceStyle::holes || dice_.percent(30)))
-            prim.kind = std::uint32_t(PrimKind::cutout);
+            prim.kind = PrimKind::cutout;
 }
 
 std::uint32_t Textures::lines() const { return config_.has_textures() ? records + texel_lines : 0; }
@@ -46,7 +46,7 @@ void Textures::append(std::vector<std::uint32_t>& words) {
 
 std::uint32_t Textures::record_for(const PrimData& prim) {
     if (!config_.has_textures() || !prim.is_triangle() || style_ == SurfaceStyle::bright) return 0;
-    const bool is_cutout = PrimKind(prim.kind) == PrimKind::cutout;
+    const bool is_cutout = prim.kind == PrimKind::cutout;
     // A cut-out may also have no texture: an instance's material has none.
     const int share = style_ == SurfaceStyle::holes      ? 100
                       : is_cutout                        ? 90
@@ -99,7 +99,7 @@ TexRecord Textures::record(std::uint32_t first_texels, std::uint32_t number) {
                  ? std::uint32_t(dice_.below(1 << config_.addr_bits))
                  : first_texels +
                        std::uint32_t(dice_.between(0, texel_lines - int(texture_lines(r, config_.texels))));
-    r.wrap_s = number % 3, r.wrap_t = number / 3 % 3;
+    r.wrap_s = WrapMode(number % 3), r.wrap_t = WrapMode(number / 3 % 3);
     r.nearest = dice_.percent(30);
     r.density = density(r.last_level);
     if (style_ == SurfaceStyle::holes)

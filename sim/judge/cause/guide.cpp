@@ -413,7 +413,7 @@ void Guide::move_ray_origin(RefSurface& surface) {
     const double grain = std::exp2(-config.origin_frac()),
                  double_slack = 4 * tie_size * (1 + glm::length(machine));
     double most = 0;
-    const auto kind = PrimKind(at->surface.kind);
+    const auto kind = at->surface.kind;
     const auto edge = [&](const Vec3i& from, const Vec3i& to) {
         const double x = double(to[0]) - from[0], y = double(to[1]) - from[1], z = double(to[2]) - from[2];
         return std::sqrt(x * x + y * y + z * z);
@@ -543,7 +543,7 @@ bool Guide::is_blocked(std::size_t light, const RefPath& path, double distance, 
         tie();
         return machine;
     }
-    if (seen.was_sent && RayKind(seen.ray.kind) == RayKind::away) {
+    if (seen.was_sent && seen.ray.kind == RayKind::away) {
         // Its direction is a rounded unit vector. It begins at the light or at the surface.
         const bool from_light = rules_.inputs.frame.shade.near[light] != 0;
         const glm::dvec3 turned = (from_light ? -1.0 : 1.0) * direction(seen.ray.d);

@@ -164,7 +164,7 @@ Guide::TexturePlace Guide::place_on_plane(const MachineVisit& at, const RefClose
 
 Guide::TexturePlace Guide::texture_place(const MachineVisit& at, const RefClosest& hit,
                                          const Texture& texture, const RefTexel& own) const {
-    switch (PrimKind(at.surface.kind)) {
+    switch (at.surface.kind) {
         case PrimKind::sphere: return place_on_sphere(at, hit);
         case PrimKind::plane: return place_on_plane(at, hit, texture);
         default: return place_on_triangle(at, hit, own);
@@ -176,7 +176,7 @@ Guide::TexturePlace Guide::texture_place(const MachineVisit& at, const RefCloses
 /// saturated, the machine measures the path from this stored point.
 double Guide::extra_distance(const MachineVisit& at, const RefClosest& hit) const {
     const Config& config = rules_.inputs.config;
-    if (PrimKind(at.surface.kind) != PrimKind::plane || at.ray.is_partial == 0 ||
+    if (at.surface.kind != PrimKind::plane || at.ray.is_partial == 0 ||
         at.hit.t != (1u << config.t_bits()) - 1)
         return 0;
     const Vec3i& o = at.ray.o;

@@ -14,7 +14,7 @@ void MachinePath::sent(const Ray& ray) {
     asks_light_ = ends_at_any(ray.kind);
     if (asks_light_) {
         visits[std::size_t(at_)].lights.back().ray = ray;
-    } else if (RayKind(ray.kind) == RayKind::camera) {
+    } else if (ray.kind == RayKind::camera) {
         at_ = add(ray, MachineVisit::none);
         samples.push_back(at_);
     } else if (last_ == ShadeEvent::reflect) {

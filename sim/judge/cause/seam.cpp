@@ -168,9 +168,9 @@ bool SeamFinder::is_within_bound(const Line& line, const LineHit& met, const Que
 RayFinding SeamFinder::explain(const Ray& ray, const Closest& answer, double* apart) const {
     Question question{world_.ray(ray), ends_at_any(ray.kind)};
     if (question.ends_at_any && answer.found) return RayFinding::one_line;   // the blocker's line
-    if (RayKind(ray.kind) == RayKind::shadow) question.end = std::ldexp(1.0, -config_.origin_frac());
+    if (ray.kind == RayKind::shadow) question.end = std::ldexp(1.0, -config_.origin_frac());
     question.left = question.ray.home;
-    if (RayKind(ray.kind) != RayKind::camera && question.left == nowhere)   // its map is the identity
+    if (ray.kind != RayKind::camera && question.left == nowhere)   // its map is the identity
         question.left = world_.place_of(ray.self);
     if (answer.found) {
         const oracle::PlacedHit hit = world_.solids().nearest(question.ray);

@@ -137,7 +137,7 @@ const char* no_place(const Closest& answer) {
 }   // namespace
 
 SolidRay solid_ray(const Ray& ray, const Config& c) {
-    const auto kind = RayKind(ray.kind);
+    const auto kind = ray.kind;
     SolidRay r{ray.o, c.origin_frac(), ray.d, no_primitive, ray.is_inside != 0};
     if (ray.is_partial != 0 && ends_at_any(ray.kind)) r.targets = SolidRay::Targets::bounded;
     // The origin of a bounce from beyond the lattice has lost bits: docs/proofs/origins.md.
@@ -157,7 +157,7 @@ const char* judge_answer(const Solids& solids, const Config& c, const Ray& ray, 
                          const Cutouts* cutouts) {
     const SolidRay r = solid_ray(ray, c);
     if (ends_at_any(ray.kind)) {
-        const bool is_shadow = RayKind(ray.kind) == RayKind::shadow;
+        const bool is_shadow = ray.kind == RayKind::shadow;
         if (answer.cutout) {
             if (answer.prim >= solids.all().size() || !cutouts || !cutouts->has_holes(answer.prim))
                 return "there is no such cut-out";
@@ -219,7 +219,7 @@ const char* judge_answer(const PlacedWorld& world, const Config& c, const Ray& r
     const oracle::PlacedRay r = world.ray(ray);
     const oracle::PlacedSolids& solids = world.solids();
     if (ends_at_any(ray.kind)) {
-        const bool is_shadow = RayKind(ray.kind) == RayKind::shadow;
+        const bool is_shadow = ray.kind == RayKind::shadow;
         if (answer.cutout) {
             const std::uint32_t place = world.place_of(answer.prim);
             if (place == nowhere) return "there is no such cut-out";

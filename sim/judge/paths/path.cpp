@@ -46,7 +46,7 @@ void PathJudge::judge_camera(const Ray& ray) {
 }
 
 void PathJudge::sent(const Ray& ray) {
-    const auto kind = RayKind(ray.kind);
+    const auto kind = ray.kind;
     demand(kind == expected_.kind, "the ray is of another kind than was asked for");
     if (kind == RayKind::camera) {
         judge_camera(ray);

@@ -62,7 +62,7 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
     place_.surface = rules_.placed
                          ? rules_.placed->surface(answer_.prim)
                          : expected_surface(rules_.inputs.scene, rules_.primitives, config_, answer_.prim);
-    if (PrimKind(place_.surface.kind) == PrimKind::plane)   // its squares are judged with the colours
+    if (place_.surface.kind == PrimKind::plane)   // its squares are judged with the colours
         place_.surface.colour = in.surface.colour, place_.surface.other = in.surface.other,
         place_.surface.normal = in.surface.normal;
     if (place_.surface.smooth) {
@@ -76,18 +76,17 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
         place_.surface.record = in.surface.record;
     }
     demand(in.surface == place_.surface, "memory does not hold the surface that was hit");
-    place_.pane =
-        place_.surface.kind == std::uint32_t(PrimKind::plane) ? pane_bit(rules_.inputs, answer_.prim) : 0;
+    place_.pane = place_.surface.kind == PrimKind::plane ? pane_bit(rules_.inputs, answer_.prim) : 0;
     demand(s.across == (branch_.cell ^ place_.pane),
            "the other side of a plane is told from this one wrongly");
     judge_place(in, s);
     if (config_.has_textures()) {
         std::optional<Vec3l> far_way;
-        if (PrimKind(place_.surface.kind) == PrimKind::plane && answer_.t == (1u << config_.t_bits()) - 1)
+        if (place_.surface.kind == PrimKind::plane && answer_.t == (1u << config_.t_bits()) - 1)
             far_way = by_axis([&](std::size_t k) { return s.o[k] - in.o[k]; });
         path_ = path_length(path_, in.d, answer_.t, far_way, config_);
         demand(s.record == place_.surface.record && s.ambient == place_.surface.ambient &&
-                   (s.is_round != 0) == (PrimKind(place_.surface.kind) == PrimKind::sphere),
+                   (s.is_round != 0) == (place_.surface.kind == PrimKind::sphere),
                "the material that was hit is not kept");
     }
     if (place_.texture && !rules_.placed) return demand_texture(s, out);
@@ -202,7 +201,7 @@ void PathJudge::demand_lights(const ShadeState& s) {
 void PathJudge::judge_place(const PassIn& in, const ShadeState& s) {
     const Surface& surface = place_.surface;
     Vec3l toward{};
-    if (PrimKind(surface.kind) == PrimKind::sphere) {
+    if (surface.kind == PrimKind::sphere) {
         judge_sphere_place(in, s);
         toward = s.n;
     } else {
@@ -222,7 +221,7 @@ void PathJudge::judge_place(const PassIn& in, const ShadeState& s) {
 /// hit's, rounded, and moved off the border by the rule in docs/proofs/origins.md.
 void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& toward) {
     const Surface& surface = place_.surface;
-    const bool is_plane = PrimKind(surface.kind) == PrimKind::plane;
+    const bool is_plane = surface.kind == PrimKind::plane;
     const int fine = is_plane ? 0 : int(surface.fine), frac = config_.origin_bits + fine;
     const Int128 whole = Int128(1) << frac;
     const int drop = config_.bary_bits - frac;
@@ -286,7 +285,7 @@ void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& t
 /// than the squares), it is the average of both colours. If one square is longer than the range of u and v,
 /// it is the square around the plane's point a.
 PathJudge::Colour PathJudge::expected_albedo(const Surface& surface) const {
-    if (PrimKind(surface.kind) != PrimKind::plane || !surface.checkered) return surface.colour;
+    if (surface.kind != PrimKind::plane || !surface.checkered) return surface.colour;
     const Scene& scene = rules_.inputs.scene;
     const Material& material =
         rules_.placed ? rules_.placed->material(answer_.prim) : material_of(scene, answer_.prim);

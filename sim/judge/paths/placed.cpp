@@ -279,7 +279,7 @@ void PlacedWorld::judge_map(const Placed& placed, const LevelLattices::Class& of
 
 oracle::PlacedRay PlacedWorld::ray(const Ray& ray) const {
     PlacedRay placed{solid_ray(ray, config_)};
-    if (!config_.has_homes() || RayKind(ray.kind) == RayKind::camera) return placed;
+    if (!config_.has_homes() || ray.kind == RayKind::camera) return placed;
     placed.home = place_at(ray.home.line);
     Ray at_home = ray;
     at_home.o = ray.home.o, at_home.d = ray.home.d;

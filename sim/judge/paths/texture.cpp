@@ -127,8 +127,7 @@ const char* judge_record(const FrameInputs& inputs, const TexturedSurface& surfa
          !holds_axis(record.t, corners, 1, texture.wrap_t, surface.kind)))
         return "memory does not hold the texture coordinates of the surface that was hit";
     const std::vector<TexelLevel>& levels = texture.pyramid->levels;
-    const auto mode = [](Wrap wrap) { return std::uint32_t(wrap); };   // the same order: repeat, mirror,
-                                                                       // clamp
+    const auto mode = [](Wrap wrap) { return WrapMode(wrap); };   // the same order: repeat, mirror, clamp
     if (levels[0].width != 1 << record.log_width || levels[0].height != 1 << record.log_height ||
         record.wrap_s != mode(texture.wrap_s) || record.wrap_t != mode(texture.wrap_t) ||
         (record.nearest != 0) != texture.nearest ||

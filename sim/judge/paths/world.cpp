@@ -264,18 +264,18 @@ Surface expected_surface(const Scene& scene, const std::vector<Solid>& solids, c
     s.a = solid.corners.a, s.b = solid.corners.b, s.c = solid.corners.c;
     switch (solid.shape) {
         case Solid::Shape::triangle:
-            s.kind = std::uint32_t(PrimKind::triangle);
+            s.kind = PrimKind::triangle;
             s.fine = fineness(solid.corners, config);
             s.smooth = config.smooth && !scene.normals.empty();
             break;
         case Solid::Shape::sphere:
-            s.kind = std::uint32_t(PrimKind::sphere);
+            s.kind = PrimKind::sphere;
             s.a = solid.centre;
             s.b = {signed_part(solid.radius_squared, config.coord_bits),
                    signed_part(solid.radius_squared >> config.coord_bits, config.coord_bits),
                    solid.is_glass ? 1 : 0};
             break;
-        case Solid::Shape::plane: s.kind = std::uint32_t(PrimKind::plane); break;
+        case Solid::Shape::plane: s.kind = PrimKind::plane; break;
     }
     put_material(material, s);
     if (solid.shape != Solid::Shape::plane) s.checkered = 0;   // no other surface has squares

@@ -136,7 +136,9 @@ public:
 
     void parameters() {
         for (const Parameter& p : rayclock::parameters())
-            if (p.in_rtl)
+            if (p.in_rtl && p.type == Parameter::Type::flag)
+                flag(camel(p.key), p.get(config_) != 0);
+            else if (p.in_rtl)
                 constant(camel(p.key), p.is("structure")        ? int(config_.engine())
                                        : p.is("mesh_structure") ? int(config_.lower_engine())
                                                                 : p.get(config_));
@@ -149,6 +151,9 @@ public:
     }
     void constant(const std::string& name, int value) {
         text_ += fmt::format("  localparam int unsigned {} = {};\n", name, value);
+    }
+    void flag(const std::string& name, bool value) {
+        text_ += fmt::format("  localparam bit {} = {};\n", name, int(value));
     }
     /// Adds a constant that has a width.
     void bits(const char* name, int width, std::uint64_t value) {
@@ -274,12 +279,12 @@ void ray_widths(Package& p, const Config& c) {
     p.constant("EdgeBits", c.edge_bits());
     p.constant("NumBits", c.num_bits());
     p.constant("OriginBits", c.origin_frac());
-    p.constant("Shades", int(c.has_shade()));
-    p.constant("Streams", int(c.is_stream()));   // rays come from records in memory
-    p.constant("HasTextures", int(c.has_textures()));
-    p.constant("HasKinds", int(c.has_kinds()));   // of primitives
+    p.flag("HasShade", c.has_shade());
+    p.flag("IsStream", c.is_stream());   // rays come from records in memory
+    p.flag("HasTextures", c.has_textures());
+    p.flag("HasPrimKinds", c.has_kinds());
     p.constant("HoleBits", hole_bits);
-    p.constant("Homes", int(c.has_homes()));   // secondary rays start on instances
+    p.flag("HasHomes", c.has_homes());   // secondary rays start on instances
     p.constant("OriginWidth", c.origin_width());
     p.constant("PointWidth", c.point_width());
     p.constant("ApproachShift", c.approach_shift());
@@ -310,7 +315,7 @@ void shade_widths(Package& p, const Config& c) {
     p.constant("StrengthBits", strength_bits);
     p.constant("PlaneBits", plane_bits);
     p.constant("RootBits", root_bits);
-    p.constant("MostFine", max_fine);
+    p.constant("MaxFine", max_fine);
 }
 
 /// Adds the widths of samples and textures.
@@ -333,7 +338,7 @@ void camera_widths(Package& p, const Config& c) {
     p.constant("Clients", c.clients());
     p.constant("GuardBits", guard_bits);
     p.constant("GuardDirBits", c.guard_dir_bits());
-    p.constant("MostShift", max_shift);
+    p.constant("MaxShift", max_shift);
 }
 
 /// Adds the widths of nodes, of their requests, and of instances.
@@ -374,8 +379,8 @@ void memory_widths(Package& p, const Config& c) {
 /// Adds the stages of the tests of nodes and primitives.
 void test_stages(Package& p, const Config& c) {
     const Stages stages(c);
-    p.constant("Cut", stages.cut);
-    p.constant("FarCut", stages.shading_cut);
+    p.constant("PathCut", stages.cut);
+    p.constant("FarPathCut", stages.shading_cut);
     p.constant("MulStages", stages.multiply);
     p.constant("SlabPlanes", stages.slab_planes);
     p.constant("SlabStages", stages.slab);
@@ -433,10 +438,10 @@ void tex_and_shade_stages(Package& p, const Config& c) {
     p.constant("TexFilterStages", stages.tex_filter);
     p.constant("OctahedralSteps", c.bary_bits / 2);   // each finds two of bary_bits - 1 bits
     p.constant("ShadeStages", stages.pass);
-    p.constant("ShadeCut", stages.pass_cut);
-    p.constant("ShadeOut", stages.pass_out);
-    p.constant("ShadeParts", stages.pass_parts);
-    p.constant("ShadeRead", stages.pass_read);
+    p.constant("PassCut", stages.pass_cut);
+    p.constant("PassOutStage", stages.pass_out);
+    p.constant("PassParts", stages.pass_parts);
+    p.constant("PassReadCycles", stages.pass_read);
     p.constant("ShadeLatency", c.shade_latency());
     p.constant("UnitStages", unit_stages);
     p.constant("PowerStages", power_stages);
@@ -467,12 +472,12 @@ void enumerations(Package& p) {
                              {"MeshNode", LineKind::mesh_node},
                              {"Placement", LineKind::placement}});
     p.say("What a ray is for, what a primitive is, which test tri makes.");
-    p.enumeration<RayKind>("ray_kind_e", "Ray", 2,
+    p.enumeration<RayKind>("ray_kind_e", "Ray", ray_kind_bits,
                            {{"Camera", RayKind::camera},
                             {"Bounce", RayKind::bounce},
                             {"Shadow", RayKind::shadow},
                             {"Away", RayKind::away}});
-    p.enumeration<PrimKind>("prim_kind_e", "Prim", 2,
+    p.enumeration<PrimKind>("prim_kind_e", "Prim", prim_kind_bits,
                             {{"Triangle", PrimKind::triangle},
                              {"Plane", PrimKind::plane},
                              {"Sphere", PrimKind::sphere},
@@ -480,7 +485,7 @@ void enumerations(Package& p) {
     p.enumeration<PrimitiveTest>("primitive_test_e", "Test", 32,
                                  {{"Exact", PrimitiveTest::exact}, {"Sheared", PrimitiveTest::sheared}});
     p.say("What a pass of shade is for, what it leaves to be added, and where the context goes after it.");
-    p.enumeration<ShadeEvent>("shade_event_e", "Event", 3,
+    p.enumeration<ShadeEvent>("shade_event_e", "Event", shade_event_bits,
                               {{"Arrive", ShadeEvent::arrive},
                                {"Light", ShadeEvent::light},
                                {"Refract", ShadeEvent::refract},
@@ -488,7 +493,7 @@ void enumerations(Package& p) {
                                {"Pop", ShadeEvent::pop},
                                {"Transform", ShadeEvent::transform},
                                {"Texture", ShadeEvent::texture}});
-    p.enumeration<Pending>("pending_e", "Pending", 2,
+    p.enumeration<Pending>("pending_e", "Pending", pending_bits,
                            {{"None", Pending::none},
                             {"Answer", Pending::answer},
                             {"Sure", Pending::sure},
@@ -501,7 +506,7 @@ void enumerations(Package& p) {
                           {"Texture", Leave::texture}});
     p.say("How a texture continues beyond its edges, and the formats of its texels.");
     p.enumeration<WrapMode>(
-        "wrap_e", "Wrap", 2,
+        "wrap_e", "Wrap", wrap_bits,
         {{"Repeat", WrapMode::repeat}, {"Mirror", WrapMode::mirror}, {"Clamp", WrapMode::clamp}});
     p.enumeration<TexelFormat>("texel_format_e", "Texels", 32,
                                {{"Rgb888", TexelFormat::rgb888}, {"Rgb565", TexelFormat::rgb565}});

@@ -2,6 +2,7 @@
 // The fields of payloads, for messages about a divergence.
 #include <array>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -16,7 +17,10 @@ class ListVisitor {
 public:
     std::vector<std::pair<std::string, std::string>> fields;
     template <class T> void operator()(const char* name, const T& value, int) {
-        fields.emplace_back(name, fmt::format("{}", value));
+        if constexpr (std::is_enum_v<T>)
+            fields.emplace_back(name, fmt::format("{}", std::uint32_t(value)));
+        else
+            fields.emplace_back(name, fmt::format("{}", value));
     }
     template <class T, std::size_t n>
     void operator()(const char* name, const std::array<T, n>& value, int, int count) {

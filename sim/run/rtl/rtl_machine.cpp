@@ -255,15 +255,12 @@ void RtlMachine::clock() {
         finished += std::uint32_t(fire_[p] >> index(Link::hit) & 1);
         if (!config_.is_stream()) rays_.primary += fire_[p] >> index(Link::slot) & 1;
         if (fire_[p] & bit(Link::record)) {
-            const std::uint32_t kind =
-                get_data<StreamRsp>(*links_[p][index(Link::record)], config_).record.kind;
+            const RayKind kind = get_data<StreamRsp>(*links_[p][index(Link::record)], config_).record.kind;
             ++(ends_at_any(kind) ? rays_.shadow : rays_.primary);
         }
         if (fire_[p] & bit(Link::spawn)) {
-            const std::uint32_t kind = get_data<Spawn>(*links_[p][index(Link::spawn)], config_).kind;
-            ++(kind == std::uint32_t(RayKind::camera) ? rays_.primary
-               : ends_at_any(kind)                    ? rays_.shadow
-                                                      : rays_.reflection);
+            const RayKind kind = get_data<Spawn>(*links_[p][index(Link::spawn)], config_).kind;
+            ++(kind == RayKind::camera ? rays_.primary : ends_at_any(kind) ? rays_.shadow : rays_.reflection);
         }
         if (fire_[p] & bit(Link::node_req)) count_boxes(int(p));
     }

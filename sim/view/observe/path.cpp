@@ -39,10 +39,10 @@ public:
         const ShadeEvent event = event_of(in);   // no pass that requests a cut-out's texture sends a ray
         depth_ = int(out.state.depth);
         goes_on_ = event == ShadeEvent::texture;
-        next_ = out.spawn.kind == std::uint32_t(RayKind::camera) ? RayPurpose::camera
-                : event == ShadeEvent::light                     ? RayPurpose::shadow
-                : event == ShadeEvent::reflect                   ? RayPurpose::reflection
-                                                                 : RayPurpose::refraction;
+        next_ = out.spawn.kind == RayKind::camera ? RayPurpose::camera
+                : event == ShadeEvent::light      ? RayPurpose::shadow
+                : event == ShadeEvent::reflect    ? RayPurpose::reflection
+                                                  : RayPurpose::refraction;
     }
 
 private:

@@ -41,21 +41,19 @@ inline Wide narrow(const oracle::Int& x) {
 }
 
 // ---- A request in the scene's units: lattice steps, t = num / det.
-inline bool is_shadow(const TriReq& r) { return RayKind(r.kind) == RayKind::shadow; }
-inline bool leaves(const TriReq& r) {
-    return RayKind(r.kind) == RayKind::bounce || RayKind(r.kind) == RayKind::away;
-}
+inline bool is_shadow(const TriReq& r) { return r.kind == RayKind::shadow; }
+inline bool leaves(const TriReq& r) { return r.kind == RayKind::bounce || r.kind == RayKind::away; }
 /// Returns true for a ray from beyond the lattice. Its origin is in units of 2^far_drop, and it tests only
 /// planes.
-inline bool is_far(const TriReq& r) { return RayKind(r.kind) == RayKind::bounce && r.is_partial != 0; }
+inline bool is_far(const TriReq& r) { return r.kind == RayKind::bounce && r.is_partial != 0; }
 inline bool is_sphere(const TriReq& r, const Config& c) {
-    return c.spheres && PrimKind(r.triangle.kind) == PrimKind::sphere;
+    return c.spheres && r.triangle.kind == PrimKind::sphere;
 }
 inline bool is_opaque(const TriReq& sphere) { return sphere.triangle.b[2] == 0; }
 inline bool is_plane(const TriReq& r, const Config& c) {
-    return c.planes && PrimKind(r.triangle.kind) == PrimKind::plane;
+    return c.planes && r.triangle.kind == PrimKind::plane;
 }
-inline bool is_cutout(const TriReq& r) { return PrimKind(r.triangle.kind) == PrimKind::cutout; }
+inline bool is_cutout(const TriReq& r) { return r.triangle.kind == PrimKind::cutout; }
 inline oracle::Place3 place(const Vec3i& p) {
     return {oracle::Rational(p[0]), oracle::Rational(p[1]), oracle::Rational(p[2])};
 }
@@ -127,7 +125,7 @@ inline bool is_in_sight(const oracle::Ball& ball, const oracle::Rational& end) {
     return back.outside(0) > 0 && oracle::between(back, end);
 }
 inline bool blocked_truth(const TriReq& r, const Config& c) {
-    if (r.is_partial && PrimKind(r.triangle.kind) == PrimKind::plane) return false;
+    if (r.is_partial && r.triangle.kind == PrimKind::plane) return false;
     if (!is_shadow(r))
         return is_sphere(r, c) ? sphere_truth(r, c) != oracle::SphereRoot::none
                                : flat_crossing(r, c).has_value();
@@ -250,12 +248,12 @@ inline PrimData random_prim(Draw& draw, const Config& c, const Vec3i& near) {
     PrimData p;
     p.prim = std::uint32_t(draw.natural(c.prim_bits));
     const int kinds = 1 + c.planes + c.spheres, kind = draw.below(kinds);
-    p.kind = kind == 0 ? 0 : kind == 1 && c.planes ? 1 : 2;
-    if (c.textures && kind == 0 && draw.coin()) p.kind = std::uint32_t(PrimKind::cutout);
+    p.kind = kind == 0 ? PrimKind::triangle : kind == 1 && c.planes ? PrimKind::plane : PrimKind::sphere;
+    if (c.textures && kind == 0 && draw.coin()) p.kind = PrimKind::cutout;
     p.a = draw.coin() ? draw.vector(n) : draw.near(near, reach, n);
     p.b = draw.coin() ? draw.vector(n) : draw.near(p.a, reach, n);
     p.c = draw.coin() ? draw.vector(n) : draw.near(p.b, reach, n);
-    if (PrimKind(p.kind) != PrimKind::sphere) return p;
+    if (p.kind != PrimKind::sphere) return p;
     std::uint64_t square = 0;
     for (std::size_t k = 0; k < 3; ++k)
         square += std::uint64_t((std::int64_t(near[k]) - p.a[k]) * (std::int64_t(near[k]) - p.a[k]));
@@ -276,14 +274,14 @@ inline TriReq random_any_req(Draw& draw, const Config& c) {
     const int n = c.coord_bits, b = c.origin_bits;
     TriReq r;
     r.ray = std::uint32_t(draw.natural(c.ray_bits()));
-    r.kind = std::uint32_t(draw.below(4));
+    r.kind = RayKind(draw.below(4));
     const Vec3i from = draw.vector(n);
     r.triangle = random_prim(draw, c, from);
     const PrimData& p = r.triangle;
     r.self = draw.percent(60) ? std::uint32_t(draw.natural(c.prim_bits)) : p.prim;
     r.is_inside = std::uint32_t(draw.coin());
     if (!c.spheres) r.self = r.is_inside = 0;
-    const bool is_bounce = RayKind(r.kind) == RayKind::bounce;
+    const bool is_bounce = r.kind == RayKind::bounce;
     r.is_partial = c.planes && (ends_at_any(r.kind) || (is_bounce && c.horizon)) && draw.percent(30);
     // The target of the ray in units of 2^-B: a weighted point of the corners, or the centre with a random
     // offset.

@@ -138,7 +138,7 @@ inline GlobeSight sight_of(const GlobeCase& c, std::size_t i, const Config& conf
 inline void judge(const GlobeCase& c, const NodeAnswer& rsp, const Config& config, bool is_tight = true) {
     using oracle::Rational;
     const GlobeNode& node = c.req.node;
-    const bool is_long = RayKind(c.ray.kind) == RayKind::shadow;
+    const bool is_long = c.ray.kind == RayKind::shadow;
     const int bits = is_long ? config.ray_dir_bits() : config.dir_bits;
     const Rational unit = oracle::power_of_two(bits - 1 + config.t_frac_bits);
     const oracle::Int beyond = (oracle::Int(1) << config.t_bits()) - 1;

@@ -103,23 +103,22 @@ inline Vec3i draw_place(Draw& draw, const Config& c) {   // a point that o can r
 
 inline Surface random_surface(Draw& draw, const Config& c) {
     Surface s;
-    s.kind = std::uint32_t(draw.below(3));
-    if ((s.kind == std::uint32_t(PrimKind::plane) && !c.planes) ||
-        (s.kind == std::uint32_t(PrimKind::sphere) && !c.spheres))
-        s.kind = 0;
+    s.kind = PrimKind(draw.below(3));
+    if ((s.kind == PrimKind::plane && !c.planes) || (s.kind == PrimKind::sphere && !c.spheres))
+        s.kind = PrimKind::triangle;
     s.a = draw.vector(c.coord_bits), s.b = draw.vector(c.coord_bits), s.c = draw.vector(c.coord_bits);
     // Lattice::snap leaves out the least coordinate.
     for (Vec3i* corner : {&s.a, &s.b, &s.c})
         for (auto& x : *corner) x = std::max(x, 1 - (1 << (c.coord_bits - 1)));
-    if (s.kind == std::uint32_t(PrimKind::triangle)) {   // edges of whole 2^fine steps
+    if (s.kind == PrimKind::triangle) {   // edges of whole 2^fine steps
         s.fine = std::uint32_t(draw.below(std::clamp(c.bary_bits - c.origin_bits, 0, max_fine) + 1));
         const std::int32_t step = 1 << s.fine;
         for (Vec3i* corner : {&s.b, &s.c})
             for (std::size_t k = 0; k < 3; ++k) (*corner)[k] = s.a[k] + ((*corner)[k] - s.a[k]) / step * step;
     }
-    s.smooth = c.smooth && s.kind == 0 && draw.coin();
+    s.smooth = c.smooth && s.kind == PrimKind::triangle && draw.coin();
     for (auto& x : s.normal) x = s.smooth ? std::max(std::int32_t(draw.number(corner_bits)), -1023) : 0;
-    if (s.kind == std::uint32_t(PrimKind::plane)) {
+    if (s.kind == PrimKind::plane) {
         for (std::size_t side = 0; side < 2; ++side)
             s.normal[side] = std::int32_t(draw.number(corner_bits)),
             s.normal[2 + side] = draw.between(-1, c.bary_bits + corner_bits - 1);
@@ -142,12 +141,12 @@ inline Closest random_closest(Draw& draw, const Config& c, const Surface& surfac
     hit.back = draw.coin();
     hit.prim = std::uint32_t(draw.natural(c.prim_bits));
     hit.t = std::uint32_t(draw.natural(draw.between(1, c.t_bits())));
-    if (surface.kind == std::uint32_t(PrimKind::plane)) {
+    if (surface.kind == PrimKind::plane) {
         const std::uint32_t mask = (1u << c.uv_bits()) - 1;
         hit.u = std::uint32_t(draw.number(draw.between(2, c.uv_bits()))) & mask,
         hit.v = std::uint32_t(draw.number(draw.between(2, c.uv_bits()))) & mask;
         if (draw.percent(30)) hit.t = (1u << c.t_bits()) - 1;   // too far away for t
-    } else if (surface.kind == std::uint32_t(PrimKind::triangle)) {
+    } else if (surface.kind == PrimKind::triangle) {
         const std::uint32_t one = 1u << c.bary_bits;
         hit.u = std::uint32_t(draw.percent(10) ? one : draw.natural(c.bary_bits));
         hit.v = std::min(std::uint32_t(draw.percent(20) ? one : draw.natural(c.bary_bits)), one - hit.u);

@@ -27,7 +27,7 @@ inline void set_direction(SlantCase& c, const Vec3i& d, const Config& config) {
     set_reciprocals(c, config);
     Ray ray;
     ray.d = d;
-    ray.kind = std::uint32_t(c.is_long ? RayKind::shadow : RayKind::camera);
+    ray.kind = c.is_long ? RayKind::shadow : RayKind::camera;
     c.req.along = slant_direction(ray, config);
 }
 

@@ -92,14 +92,14 @@ struct AxisPlace {
 /// `side`: the level's texels on this axis. The coordinate is exact until it is rounded down to 2^-20
 /// pictures, and once more to 256ths of a texel.
 inline AxisPlace wanted_on_axis(const TexReq& hit, const std::array<std::int32_t, 3>& corner, int side,
-                                std::uint32_t wrap, bool nearest, const Config& c) {
+                                WrapMode wrap, bool nearest, const Config& c) {
     const Int128 one = Int128(1) << c.bary_bits, picture = Int128(1) << 20;
     const Int128 u = weight_in(hit.u, c), v = weight_in(hit.v, c);
     const Int128 sum = Int128(corner[0]) * (one - u - v) + Int128(corner[1]) * u + Int128(corner[2]) * v;
     Int128 at = floor_by(sum, one);
-    if (WrapMode(wrap) == WrapMode::repeat) {
+    if (wrap == WrapMode::repeat) {
         at -= picture * floor_by(at, picture);
-    } else if (WrapMode(wrap) == WrapMode::mirror) {
+    } else if (wrap == WrapMode::mirror) {
         at -= 2 * picture * floor_by(at, 2 * picture);
         if (at >= picture) at = 2 * picture - 1 - at;
     } else if (at < 0) {
@@ -110,7 +110,7 @@ inline AxisPlace wanted_on_axis(const TexReq& hit, const std::array<std::int32_t
     auto place = int(floor_by(at * side * 256, picture));
     if (nearest) return {place / 256, 0};
     place -= 128;
-    if (place < 0) place = WrapMode(wrap) == WrapMode::repeat ? place + 256 * side : 0;
+    if (place < 0) place = wrap == WrapMode::repeat ? place + 256 * side : 0;
     return {place / 256, place % 256};
 }
 
@@ -255,7 +255,7 @@ inline TexRecord random_record(Draw& draw, const Config& c) {
                                            : draw.between(1, 3));
     };
     record.log_width = side(), record.log_height = side();
-    record.wrap_s = std::uint32_t(draw.below(3)), record.wrap_t = std::uint32_t(draw.below(3));
+    record.wrap_s = WrapMode(draw.below(3)), record.wrap_t = WrapMode(draw.below(3));
     record.nearest = draw.percent(25);
     record.last_level = draw.percent(15) ? 0 : std::max(record.log_width, record.log_height);
     record.density = std::int32_t(draw.number(level_bits));

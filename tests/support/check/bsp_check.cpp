@@ -99,8 +99,8 @@ std::vector<std::string> check_slants(const MemoryImage& image, const std::vecto
         reader.complain(0, "the report says another number of nodes, leaves or primitives, or another depth");
     if (!reader.wrong.empty()) return reader.wrong;   // reading such an image might not terminate
     for (const PrimData& prim : prims) {
-        if (PrimKind(prim.kind) == PrimKind::sphere) continue;
-        const int step = PrimKind(prim.kind) == PrimKind::plane ? parts : 1;
+        if (prim.kind == PrimKind::sphere) continue;
+        const int step = prim.kind == PrimKind::plane ? parts : 1;
         for (int i = 0; i <= parts; i += step)
             for (int j = 0; i + j <= parts; j += step) {
                 Vec3l x{};

@@ -23,14 +23,14 @@ struct Written {
     Vec3l centre{};
     std::int64_t radius = 0;
     bool holds(const PrimData& prim, const Config& config) const {
-        if (PrimKind(prim.kind) == PrimKind::plane) {
+        if (prim.kind == PrimKind::plane) {
             const std::int64_t far = std::int64_t(1) << (config.coord_bits - 1);
             for (int i = 0; i < 8; ++i)
                 if (!holds(Vec3l{i & 1 ? far : -far, i & 2 ? far : -far, i & 4 ? far : -far}, 0))
                     return false;
             return true;
         }
-        if (PrimKind(prim.kind) == PrimKind::sphere) {
+        if (prim.kind == PrimKind::sphere) {
             const double own = std::sqrt(double(radius_squared(prim, config.coord_bits)));
             return holds(wide(prim.a), own);
         }

@@ -201,11 +201,9 @@ public:
         const Spawn& s = *out.spawn.offer;
         Ray ray = camera_ray(s.ray);
         ray.kind = s.kind, ray.o = s.o;
-        if (s.kind != std::uint32_t(RayKind::camera)) ray.d = s.d;
+        if (s.kind != RayKind::camera) ray.d = s.d;
         made_.push_back(ray);
-        (s.kind == std::uint32_t(RayKind::camera)   ? samples
-         : s.kind == std::uint32_t(RayKind::bounce) ? bounces
-                                                    : shadows)++;
+        (s.kind == RayKind::camera ? samples : s.kind == RayKind::bounce ? bounces : shadows)++;
     }
 
 private:
@@ -217,7 +215,7 @@ private:
     }
     /// Spheres and planes have no holes.
     TexRsp texture_of(std::uint32_t ray) {
-        const bool may_have_hole = cutouts_[ray] || PrimKind(surfaces_[ray].kind) == PrimKind::triangle;
+        const bool may_have_hole = cutouts_[ray] || surfaces_[ray].kind == PrimKind::triangle;
         return {ray, may_have_hole && draw_.coin(), shares_up_to(draw_, share_bits)};
     }
     Ray camera_ray(std::uint32_t number) {
@@ -232,8 +230,9 @@ private:
     int idle_, stall_;
     Draw draw_;
     std::vector<std::uint32_t> free_;
-    std::vector<Surface> surfaces_;                // the surface that the context's ray hit
-    std::vector<std::uint32_t> cutouts_, kinds_;   // whether it is a cut-out; the ray's kind
+    std::vector<Surface> surfaces_;        // the surface that the context's ray hit
+    std::vector<std::uint32_t> cutouts_;   // 1 if it is a cut-out
+    std::vector<RayKind> kinds_;
     // Rays sent in this cycle and in the previous one. No ray is answered in the cycle in which it is sent.
     std::optional<std::uint32_t> sent_, before_;
     std::vector<std::uint32_t> flying_;

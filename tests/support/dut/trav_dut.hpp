@@ -78,7 +78,7 @@ public:
             c.tested = *tested.offer;
             c.reach = tested.offer->t_best;
         }
-        if (start) contexts_[start->ray].reach = reach_of(RayKind(start->kind), config_);
+        if (start) contexts_[start->ray].reach = reach_of(start->kind, config_);
         if (ray.fires()) {
             contexts_[ray.offer->ray].ray = *ray.offer;
             contexts_[ray.offer->ray].stack.clear();

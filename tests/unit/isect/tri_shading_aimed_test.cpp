@@ -16,7 +16,7 @@ void set_sphere(PrimData& p, const Vec3i& centre, std::uint64_t square, int bits
     const auto field = [bits](std::uint64_t part) {
         return std::int32_t(std::int64_t(part << (64 - bits)) >> (64 - bits));
     };
-    p.kind = std::uint32_t(PrimKind::sphere);
+    p.kind = PrimKind::sphere;
     p.prim = 7;
     p.a = centre;
     p.b = {field(square), field(square >> bits), 1};
@@ -53,7 +53,7 @@ TEMPLATE_TEST_CASE("a sphere that is touched where a shadow ray ends is not in i
                     // The end lies this many steps of 2^-B behind the touched point.
                     for (const int more : {-1, 0, 1}) {
                         TriReq r;
-                        r.kind = std::uint32_t(RayKind::shadow);
+                        r.kind = RayKind::shadow;
                         set_sphere(r.triangle, {3, -2, 5}, std::uint64_t(radius) * std::uint64_t(radius),
                                    c.coord_bits);
                         Vec3i light = r.triangle.a;
@@ -82,7 +82,7 @@ TEMPLATE_TEST_CASE("t ends where its bits do", "[tri][any][aimed]", Model<TriUni
                 const int d = h / part + more;
                 if (d < 1) continue;
                 TriReq r;
-                r.kind = std::uint32_t(RayKind::camera);
+                r.kind = RayKind::camera;
                 r.triangle.a = {-100000, -100000, 0}, r.triangle.b = {100000, -100000, 0},
                 r.triangle.c = {0, 100000, 0};
                 r.triangle.prim = 7;
@@ -121,7 +121,7 @@ TEST_CASE("a discriminant next to a square is not treated as a square", "[tri][a
                            left = rest - y * y - z * z;
         if (left > 3) continue;
         TriReq r;
-        r.kind = std::uint32_t(RayKind::bounce);
+        r.kind = RayKind::bounce;
         set_sphere(r.triangle, {0, 0, 0}, std::uint64_t(square), c.coord_bits);
         r.o = {0, std::int32_t(y), std::int32_t(z)};
         r.d = {1 << (c.dir_bits - 2), 0, 0};
@@ -150,8 +150,8 @@ TEMPLATE_TEST_CASE("a plane's u and v end where their bits do", "[tri][any][aime
             for (const std::int32_t sign : {-1, 1})
                 for (const std::size_t axis : {0u, 1u}) {
                     TriReq r;
-                    r.kind = std::uint32_t(RayKind::camera);
-                    r.triangle.kind = std::uint32_t(PrimKind::plane);
+                    r.kind = RayKind::camera;
+                    r.triangle.kind = PrimKind::plane;
                     r.triangle.prim = 7;
                     r.triangle.b = {side, 0, 0}, r.triangle.c = {0, side, 0};
                     Vec3i at{1, 1, 100};
@@ -189,7 +189,7 @@ TEMPLATE_TEST_CASE("a sphere as near as what was hit before goes before higher n
     for (const std::int64_t further : {-1, 0, 1})
         for (const std::uint32_t prim : {6u, 7u, 8u}) {
             TriReq r;
-            r.kind = std::uint32_t(RayKind::camera);
+            r.kind = RayKind::camera;
             set_sphere(r.triangle, {0, 0, 0}, 100, c.coord_bits);
             r.o[2] = 30 * (1 << c.origin_bits);
             r.d[2] = -(1 << (c.dir_bits - 2));
@@ -219,7 +219,7 @@ TEMPLATE_TEST_CASE("a ray that passes an edge by the least there is is on its si
     std::vector<TriReq> requests;
     for (int i = 0; i < 2000000 && requests.size() < 600; ++i) {
         TriReq r;
-        r.kind = std::uint32_t(RayKind::bounce);
+        r.kind = RayKind::bounce;
         r.triangle.a = point(1), r.triangle.b = point(1), r.triangle.c = point(1);
         r.triangle.prim = 7;
         r.o = point(one), r.d = point(1);

@@ -44,27 +44,28 @@ TEMPLATE_TEST_CASE("the sphere test distinguishes inside, rim and the sphere's o
                    Model<TriUnit>, Rtl<TriUnit>) {
     const Config config = any_format("default");
     const int one = 1 << config.origin_bits, full = 1 << (config.dir_bits - 1);
-    const auto ray = [&](std::uint32_t kind, Vec3i o, Vec3i d, std::uint32_t self = 1,
-                         std::uint32_t inside = 0) {
+    const auto ray = [&](RayKind kind, Vec3i o, Vec3i d, std::uint32_t self = 1, std::uint32_t inside = 0) {
         TriReq r;
         r.kind = kind;
         r.o = o;
         r.d = d;
         r.self = self;
         r.is_inside = inside;
-        r.triangle = {{0, 0, 0}, {100 * 100, 0, 1}, {}, 9, 2};   // radius 100
+        r.triangle = {{0, 0, 0}, {100 * 100, 0, 1}, {}, 9, PrimKind::sphere};   // radius 100
         return r;
     };
-    const auto camera = [&](Vec3i o, Vec3i d) { return ray(0, scaled(o, config.origin_bits), d); };
+    const auto camera = [&](Vec3i o, Vec3i d) {
+        return ray(RayKind::camera, scaled(o, config.origin_bits), d);
+    };
     const auto bounce = [&](Vec3i o, Vec3i d, std::uint32_t self = 1, std::uint32_t inside = 0) {
-        return ray(1, o, d, self, inside);
+        return ray(RayKind::bounce, o, d, self, inside);
     };
     const auto away = [&](Vec3i o, Vec3i d, std::uint32_t self = 1, std::uint32_t inside = 0) {
-        return ray(3, o, d, self, inside);
+        return ray(RayKind::away, o, d, self, inside);
     };
     const auto shadow = [&](Vec3i light, Vec3i end, std::uint32_t self = 1, std::uint32_t inside = 0) {
         const Vec3i o = scaled(light, config.origin_bits);
-        return ray(2, o, {end[0] - o[0], end[1] - o[1], end[2] - o[2]}, self, inside);
+        return ray(RayKind::shadow, o, {end[0] - o[0], end[1] - o[1], end[2] - o[2]}, self, inside);
     };
     struct Case {
         TriReq req;
@@ -170,9 +171,9 @@ struct WholeMeeting {
     }
     TriReq request(RayKind kind, const Config& c) const {
         TriReq r;
-        r.kind = std::uint32_t(kind);
+        r.kind = kind;
         r.self = 1;
-        r.triangle = {centre, {radius * radius, 0, is_glass}, {}, 9, std::uint32_t(PrimKind::sphere)};
+        r.triangle = {centre, {radius * radius, 0, is_glass}, {}, 9, PrimKind::sphere};
         r.o = scaled(from, c.origin_bits);
         const int length = kind == RayKind::shadow ? 1 << c.origin_bits : 1000;
         for (std::size_t k = 0; k < 3; ++k) r.d[k] = (to[k] - from[k]) * length;
@@ -208,8 +209,7 @@ TEST_CASE("a sphere is met by the rays by which the reference meets it", "[any]"
                                                                m.to[2] - m.from[2])))
                           : m.reference(m.from, m.to, HUGE_VAL);
             REQUIRE((rsp.closer != 0) == (right.primitive == 9));
-            if (rsp.closer && !ends_at_any(std::uint32_t(kind)))
-                REQUIRE((rsp.back != 0) == (m.outside(m.from) < 0));
+            if (rsp.closer && !ends_at_any(kind)) REQUIRE((rsp.back != 0) == (m.outside(m.from) < 0));
             ++met[int(kind)][m.is_glass][rsp.closer];
         }
     }

@@ -28,12 +28,13 @@ Config tiny() {
 /// at a corner. `number` also selects whether the sphere is seen from inside, is the ray's own, and contains
 /// the ray.
 struct Space {
-    std::uint32_t kind;
+    RayKind kind;
     Vec3i centre;
+    bool leaves() const { return kind == RayKind::bounce || kind == RayKind::away; }   // a surface
     std::uint64_t size(const Config& c) const {
-        const int o = kind == 1 || kind == 3 ? c.origin_width() : c.coord_bits,
-                  d = kind == 2 ? c.origin_width() : c.dir_bits;
-        return std::uint64_t(1) << (3 * o + 3 * d + 2 * c.coord_bits + (kind == 0 ? 1 : 3));
+        const int o = leaves() ? c.origin_width() : c.coord_bits,
+                  d = kind == RayKind::shadow ? c.origin_width() : c.dir_bits;
+        return std::uint64_t(1) << (3 * o + 3 * d + 2 * c.coord_bits + (kind == RayKind::camera ? 1 : 3));
     }
     TriReq at(std::uint64_t number, const Config& c) const {
         const auto take = [&](int bits) {
@@ -41,10 +42,9 @@ struct Space {
             number >>= bits;
             return part;
         };
-        const bool leaves = kind == 1 || kind == 3;
         TriReq r;
         r.kind = kind;
-        r.triangle.kind = 2;
+        r.triangle.kind = PrimKind::sphere;
         r.triangle.prim = 5;
         r.triangle.a = centre;
         const std::uint64_t room = take(2 * c.coord_bits);
@@ -54,16 +54,16 @@ struct Space {
         for (std::size_t k = 0; k < 2; ++k)
             r.triangle.b[k] =
                 std::int32_t(std::uint32_t(r.triangle.b[k]) << (32 - c.coord_bits)) >> (32 - c.coord_bits);
-        r.d = vector_of(take(3 * (kind == 2 ? c.origin_width() : c.dir_bits)),
-                        kind == 2 ? c.origin_width() : c.dir_bits);
-        r.o = vector_of(take(3 * (leaves ? c.origin_width() : c.coord_bits)),
-                        leaves ? c.origin_width() : c.coord_bits);
-        if (!leaves)
+        r.d = vector_of(take(3 * (kind == RayKind::shadow ? c.origin_width() : c.dir_bits)),
+                        kind == RayKind::shadow ? c.origin_width() : c.dir_bits);
+        r.o = vector_of(take(3 * (leaves() ? c.origin_width() : c.coord_bits)),
+                        leaves() ? c.origin_width() : c.coord_bits);
+        if (!leaves())
             for (auto& x : r.o) x *= 1 << c.origin_bits;
-        if (kind == 2)   // so far `d` was the end
+        if (kind == RayKind::shadow)   // so far `d` was the end
             for (std::size_t k = 0; k < 3; ++k) r.d[k] -= r.o[k];
         r.triangle.b[2] = std::int32_t(take(1));
-        if (kind != 0) r.self = take(1) ? 5 : 4, r.is_inside = std::uint32_t(take(1));
+        if (kind != RayKind::camera) r.self = take(1) ? 5 : 4, r.is_inside = std::uint32_t(take(1));
         return r;
     }
 };
@@ -82,13 +82,13 @@ Truth truth(const TriReq& r, const Config& c) {
     // f(x) = a x^2 + 2 b x + start: the squared distance minus the squared radius after x times d, all times
     // 4^B.
     const auto f = [&](std::int64_t x) { return a * x * x + 2 * b * x + start; };
-    const bool own = r.kind != 0 && r.self == r.triangle.prim;
+    const bool own = r.kind != RayKind::camera && r.self == r.triangle.prim;
     const bool dips = a > 0 && b < 0 && a * start <= b * b;   // falls to 0 or below somewhere ahead
     if (is_opaque(r)) {   // met only from outside; a shadow ray is seen from its point
         const bool between = start > 0 ? dips && -b < a : start < 0 || b < 0;
-        return {!own && (r.kind == 2 ? f(1) > 0 && between : start > 0 && dips), false};
+        return {!own && (r.kind == RayKind::shadow ? f(1) > 0 && between : start > 0 && dips), false};
     }
-    if (r.kind == 2) {
+    if (r.kind == RayKind::shadow) {
         if (own) return {r.is_inside && start > 0, false};
         if (start > 0) return {f(1) < 0 || (dips && -b < a), false};
         return {f(1) > 0 && (start < 0 || b < 0), false};
@@ -156,14 +156,15 @@ const Vec3i middle{0, 0, 0}, corner{-2, 1, -2};
 
 TEST_CASE("the integer judge of small spheres agrees with exact fractions", "[any][small]") {
     const Config config = tiny();
-    const std::uint32_t kind = GENERATE(0, 1, 2, 3);
+    const RayKind kind = GENERATE(RayKind::camera, RayKind::bounce, RayKind::shadow, RayKind::away);
     const Space space{kind, corner};
     for (std::uint64_t i = 0, n = space.size(config); i < n; i += n / 5003 + 1) {
         const TriReq r = space.at(i, config);
-        CAPTURE(kind, i);
-        REQUIRE(truth(r, config).met ==
-                (kind >= 2 ? blocked_truth(r, config) : sphere_truth(r, config) != oracle::SphereRoot::none));
-        if (kind < 2 && truth(r, config).met)
+        CAPTURE(int(kind), i);
+        REQUIRE(truth(r, config).met == (ends_at_any(kind)
+                                             ? blocked_truth(r, config)
+                                             : sphere_truth(r, config) != oracle::SphereRoot::none));
+        if (!ends_at_any(kind) && truth(r, config).met)
             REQUIRE(truth(r, config).far == (sphere_truth(r, config) == oracle::SphereRoot::far));
     }
 }
@@ -171,7 +172,7 @@ TEST_CASE("the integer judge of small spheres agrees with exact fractions", "[an
 TEST_CASE("tri is right for every camera ray and sphere of 64 points", "[tri][any][small]") {
     const Config config = tiny();
     for (const Vec3i& centre : {middle, corner}) {
-        const Space space{0, centre};
+        const Space space{RayKind::camera, centre};
         const Count model = try_model(config, space, 1), rtl = try_rtl(config, space, 1);
         REQUIRE(model.wrong == 0);
         REQUIRE(rtl.wrong == 0);
@@ -182,10 +183,10 @@ TEST_CASE("tri is right for every camera ray and sphere of 64 points", "[tri][an
 
 TEST_CASE("tri is right for secondary rays and spheres of 64 points", "[tri][any][small]") {
     const Config config = tiny();
-    for (const std::uint32_t kind : {1u, 2u, 3u}) {
-        const Space space{kind, kind == 1 ? corner : middle};
+    for (const RayKind kind : {RayKind::bounce, RayKind::shadow, RayKind::away}) {
+        const Space space{kind, kind == RayKind::bounce ? corner : middle};
         const Count model = try_model(config, space, 61), rtl = try_rtl(config, space, 1009);
-        CAPTURE(kind);
+        CAPTURE(int(kind));
         REQUIRE(model.wrong == 0);
         REQUIRE(rtl.wrong == 0);
         REQUIRE(rtl.met > 1000);
@@ -195,10 +196,10 @@ TEST_CASE("tri is right for secondary rays and spheres of 64 points", "[tri][any
 TEST_CASE("model of tri is right for every secondary ray and sphere of 64 points",
           "[tri][any][small][slow]") {
     const Config config = tiny();
-    for (const std::uint32_t kind : {1u, 2u, 3u})
+    for (const RayKind kind : {RayKind::bounce, RayKind::shadow, RayKind::away})
         for (const Vec3i& centre : {middle, corner}) {
             const Count count = try_model(config, Space{kind, centre}, 1);
-            CAPTURE(kind);
+            CAPTURE(int(kind));
             REQUIRE(count.wrong == 0);
             REQUIRE(count.met > 1000000);
         }

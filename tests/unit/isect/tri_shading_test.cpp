@@ -13,7 +13,7 @@ struct Tally {
     int met[5][3] = {}, missed[5][3] = {};
     void count(const TriReq& r, const TriRsp& rsp, const Config& c) {
         const int kind = is_sphere(r, c) ? 2 : is_plane(r, c) ? 1 : 0;
-        ++(rsp.closer ? met : missed)[is_far(r) ? 4 : r.kind][kind];
+        ++(rsp.closer ? met : missed)[is_far(r) ? 4 : std::size_t(r.kind)][kind];
     }
     void require(int least, const Config& c) const {
         for (int ray = 0; ray < (c.horizon ? 5 : 4); ++ray)
@@ -85,17 +85,19 @@ std::vector<TriReq> extremes(const Config& c) {
     std::vector<TriReq> all;
     for (int i = 0; i < 1 << 15; ++i) {
         TriReq r;
-        r.kind = std::uint32_t(i % 13 % 4);
-        r.triangle.kind = std::uint32_t(i / 13 % 3);
-        if ((r.triangle.kind == 1 && !c.planes) || (r.triangle.kind == 2 && !c.spheres)) continue;
-        r.is_partial = c.horizon && RayKind(r.kind) == RayKind::bounce && i % 3 == 0;
+        r.kind = RayKind(i % 13 % 4);
+        r.triangle.kind = PrimKind(i / 13 % 3);
+        if ((r.triangle.kind == PrimKind::plane && !c.planes) ||
+            (r.triangle.kind == PrimKind::sphere && !c.spheres))
+            continue;
+        r.is_partial = c.horizon && r.kind == RayKind::bounce && i % 3 == 0;
         r.triangle.a = extreme(i, n);
         r.triangle.b = extreme(i >> 3, n);
         r.triangle.c = extreme(i >> 6, n);
         r.triangle.prim = 7;
         r.self = c.spheres && i % 7 == 0 ? 7 : 0;
         r.is_inside = c.spheres && i % 5 < 2;
-        if (r.triangle.kind == 2) {   // radius: zero, the largest, half the lattice
+        if (r.triangle.kind == PrimKind::sphere) {   // radius: zero, the largest, half the lattice
             const std::uint64_t room = i >> 3 & 1   ? (std::uint64_t(1) << (2 * n)) - 1
                                        : i >> 4 & 1 ? std::uint64_t(1) << (2 * n - 2)
                                                     : 0;
@@ -170,7 +172,7 @@ TEST_CASE("every value of the sphere test fits its width, and no width has a bit
         }
     } along, square, power, disc, num;
     for (const TriReq& r : extremes(config)) {
-        if (r.triangle.kind != 2) continue;
+        if (r.triangle.kind != PrimKind::sphere) continue;
         if (is_far(r)) continue;
         const int scale = is_shadow(r) ? 0 : b;
         oracle::Int bs = 0, a = 0, c = -(oracle::Int(radius_squared(r.triangle, n)) << (2 * scale));

@@ -37,7 +37,7 @@ Spawn random_spawn(Draw& draw, const Frame& frame, const Config& config) {
     if (draw.below(8) == 0) spawn.x = draw.coin() ? 0 : frame.width - 1;
     if (draw.below(8) == 0) spawn.y = draw.coin() ? 0 : frame.height - 1;
     spawn.sample = std::uint32_t(draw.below(int(frame.shade.side * frame.shade.side)));
-    const auto kind = RayKind(spawn.kind);
+    const auto kind = spawn.kind;
     if (kind == RayKind::bounce || kind == RayKind::away) spawn.d = draw.vector(config.dir_bits);
     return spawn;
 }
@@ -75,10 +75,10 @@ std::array<oracle::Rational, 2> place_of(const Spawn& spawn, const Frame& frame,
 }
 
 void judge(const Spawn& spawn, const Ray& ray, const Frame& frame, const Config& config) {
-    CAPTURE(spawn.kind, spawn.x, spawn.y, spawn.sample);
+    CAPTURE(int(spawn.kind), spawn.x, spawn.y, spawn.sample);
     REQUIRE((ray.ray == spawn.ray && ray.kind == spawn.kind));
     REQUIRE((ray.self == spawn.self && ray.is_inside == spawn.is_inside));
-    const bool camera = spawn.kind == 0, shadow = spawn.kind == 2;
+    const bool camera = spawn.kind == RayKind::camera, shadow = spawn.kind == RayKind::shadow;
     const auto at = place_of(spawn, frame, config);
     std::array<oracle::Rational, 3> sum;
     for (std::size_t k = 0; k < 3; ++k)

@@ -165,7 +165,7 @@ TEST_CASE("what a path sees through a pane lies in another cell, until it comes 
         const Frame frame = random_shade_frame(draw, c);
         PassIn in = random_pass(draw, frame, c);
         in.hit.found = 1, in.state.next_event = ShadeEvent::arrive;
-        const bool is_plane = in.surface.kind == std::uint32_t(PrimKind::plane);
+        const bool is_plane = in.surface.kind == PrimKind::plane;
         const std::uint32_t pane = is_plane ? std::uint32_t(in.surface.normal[4]) : 0;
         PassOut out = pass(in, frame, c);
         REQUIRE(out.state.in_cell == in.state.in_cell);
@@ -211,7 +211,7 @@ TEST_CASE("shadow rays of points beyond the lattice test finite primitives unles
             ++free;
         } else {
             REQUIRE((out.leave == PassOut::Leave::spawn && out.state.pending == Pending::answer));
-            REQUIRE((out.spawn.kind == std::uint32_t(RayKind::away) && out.spawn.is_partial == 1));
+            REQUIRE((out.spawn.kind == RayKind::away && out.spawn.is_partial == 1));
             double along = 0,
                    length = 0;   // towards the point from a light that is near, else towards the light
             for (std::size_t k = 0; k < 3; ++k) {
@@ -237,7 +237,7 @@ TEST_CASE("a ray that tests finite primitives only hits no plane", "[far]") {
     for (const PrimKind kind : {PrimKind::triangle, PrimKind::plane})
         for (const RayKind of : {RayKind::shadow, RayKind::away})
             for (const std::uint32_t finite : {0u, 1u}) {
-                prim.kind = std::uint32_t(kind), ray.kind = std::uint32_t(of), ray.is_partial = finite;
+                prim.kind = kind, ray.kind = of, ray.is_partial = finite;
                 TriRsp out;
                 test_primitive(ray, prim, {}, c, out);
                 CHECK(out.closer == !(finite && kind == PrimKind::plane));

@@ -273,7 +273,7 @@ TEST_CASE("a path is as long as its rays together, rounded down and saturated", 
         in.state.next_event = ShadeEvent::arrive, in.hit.found = 1;
         if (draw.percent(10)) in.d[std::size_t(draw.below(3))] = -(1 << (c.dir_bits - 1));
         if (draw.percent(20)) in.d = random_corner_direction(draw, c);
-        if (PrimKind(in.surface.kind) == PrimKind::plane) in.hit.t >>= 1;   // not too far away for t
+        if (in.surface.kind == PrimKind::plane) in.hit.t >>= 1;   // not too far away for t
         if (draw.percent(5)) in.state.path = std::uint32_t((std::uint64_t(1) << c.path_bits()) - 1);
         const auto [length, wanted] = wanted_path(in.state.path, in.d, in.hit.t, c);
         const std::int64_t most = (std::int64_t(1) << c.path_bits()) - 1;
@@ -331,7 +331,7 @@ TEST_CASE("a path to a plane beyond the range of t has the length of the way to 
     for (int i = 0; i < 20000; ++i) {
         PassIn in = without_cutout(random_pass(draw, Frame{}, c));
         in.state.next_event = ShadeEvent::arrive, in.hit.found = 1;
-        in.surface.kind = std::uint32_t(PrimKind::plane), in.surface.smooth = 0;
+        in.surface.kind = PrimKind::plane, in.surface.smooth = 0;
         in.hit.t = (1u << c.t_bits()) - 1;
         const ShadeState s = pass(in, Frame{}, c).state;
         std::array<std::int64_t, 3> size{};
@@ -434,9 +434,8 @@ TEST_CASE("a texture multiplies the albedo once, and ambient light comes after i
             REQUIRE((out.leave == PassOut::Leave::texture) == !c.has_homes());
             if (c.has_homes()) continue;
             const std::array place{out.tex.u, out.tex.v};
-            REQUIRE(place == (PrimKind(in.surface.kind) == PrimKind::sphere
-                                  ? octahedral(is, c)
-                                  : std::array{in.hit.u, in.hit.v}));
+            REQUIRE(place == (in.surface.kind == PrimKind::sphere ? octahedral(is, c)
+                                                                  : std::array{in.hit.u, in.hit.v}));
             REQUIRE((out.tex.ray == in.ray && out.tex.record == in.surface.record &&
                      out.tex.cosine == is.cosine && out.tex.path == is.path));
         }
@@ -472,7 +471,7 @@ TEST_CASE("a ray continues through a hole with the same direction and weight", "
             REQUIRE(is.colour[k] ==
                     std::min<std::uint32_t>(was.colour[k] + (adds ? was.share[k] : 0), 1 << unit_bits));
         REQUIRE(out.spawn.ray == in.ray);
-        REQUIRE(out.spawn.kind == std::uint32_t(RayKind::bounce));
+        REQUIRE(out.spawn.kind == RayKind::bounce);
         REQUIRE(out.spawn.d == in.d);
         for (std::size_t k = 0; k < 3; ++k) REQUIRE(out.spawn.o[k] == was.o[k]);
         REQUIRE(

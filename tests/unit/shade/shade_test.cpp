@@ -166,7 +166,7 @@ TEMPLATE_TEST_CASE("a ray goes through 63 holes, and the next texture is drawn",
         dut.tex_rsp.reset();
         if (i == holes) break;
         const Spawn goes_on = next(dut.spawn);
-        REQUIRE(goes_on.kind == std::uint32_t(RayKind::bounce));
+        REQUIRE(goes_on.kind == RayKind::bounce);
         REQUIRE(goes_on.d == ray.d);
         // At a quarter of the first edge, at most 1/256 of a step inwards.
         for (std::size_t k = 0; const int at : {11, 20, i}) {

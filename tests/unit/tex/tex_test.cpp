@@ -349,7 +349,7 @@ TEMPLATE_TEST_CASE("tex answers with a hole where alpha is below the cut-off", "
                     const auto [x, y] = weights[ray];
                     const std::int32_t s = (256 + 128 + x) << 10, t = (128 + y) << 10;
                     TexRecord record{.s = {s, s, s}, .t = {t, t, t}, .log_width = 2, .log_height = 2};
-                    record.wrap_s = record.wrap_t = std::uint32_t(WrapMode::clamp);
+                    record.wrap_s = record.wrap_t = WrapMode::clamp;
                     record.cutoff = it.cutoff;
                     answer.line = {};
                     std::ranges::copy(pack(record, config), answer.line.begin());

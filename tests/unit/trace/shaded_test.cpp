@@ -65,14 +65,14 @@ void require_recorded_as_walked(const Picture& p, RecordRayFunction* record, con
             Spawn spawn = first_spawn({0, x, y});
             do {
                 const Ray ray = spawn_ray(spawn, p.frame, p.config);
-                ++kinds[ray.kind & 3];
+                ++kinds[std::size_t(ray.kind)];
                 shader.sent(ray);
                 std::vector<std::uint32_t> words;
                 const Closest hit = walked(walk, ray, words);
                 Closest recorded;
                 const std::size_t end =
                     record(decoder, p.config, p.frame.root, ray, 0, scratch, totals, recorded);
-                INFO("pixel " << x << " " << y << ", ray of kind " << ray.kind);
+                INFO("pixel " << x << " " << y << ", ray of kind " << int(ray.kind));
                 REQUIRE(std::vector<std::uint32_t>(scratch.words.begin(),
                                                    scratch.words.begin() + std::ptrdiff_t(end)) == words);
                 REQUIRE(same(recorded, hit));
