@@ -17,7 +17,7 @@ struct LeafWalk {
     std::uint32_t beyond = 0;
     std::uint32_t holes = 0;   ///< number of cut-outs that it still ignores
 
-    bool is_shadow_ray() const { return ray.kind == 2 || ray.kind == 3; }
+    bool is_shadow_ray() const { return ends_at_any(ray.kind); }
     bool blocked() const { return is_shadow_ray() && found.closer; }
     std::uint32_t t_best() const { return found.closer ? found.t : beyond; }
     bool more() const {
@@ -127,8 +127,9 @@ private:
             c.walk.ray = random_payload<Ray>(draw_, config_);
             c.walk.ray.ray = std::uint32_t(number);
             // To the surface: t = 2^-B, in units of 2^-F of a direction of N + B bits.
-            c.walk.beyond = c.walk.ray.kind == 2 ? 1u << (config_.coord_bits + config_.t_frac_bits)
-                                                 : (1u << config_.t_bits()) - 1;
+            c.walk.beyond = c.walk.ray.kind == RayKind::shadow
+                                ? 1u << (config_.coord_bits + config_.t_frac_bits)
+                                : (1u << config_.t_bits()) - 1;
             c.walk.ray.holes = draw_.coin() ? 0 : std::uint32_t(draw_.below(4));
             c.walk.holes = c.walk.ray.holes;
             dut.start = Start{c.walk.ray.ray, c.walk.ray.kind, c.walk.ray.holes};

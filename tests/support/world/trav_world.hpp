@@ -136,8 +136,8 @@ private:
             c.most_nodes = draw_.between(0, 30);
             c.ray = random_payload<Ray>(draw_, config_);
             c.ray.ray = std::uint32_t(ray);
-            c.t_best = c.ray.kind == 2 ? 1u << (config_.coord_bits + config_.t_frac_bits)
-                                       : (1u << config_.t_bits()) - 1;
+            c.t_best = c.ray.kind == RayKind::shadow ? 1u << (config_.coord_bits + config_.t_frac_bits)
+                                                     : (1u << config_.t_bits()) - 1;
             dut.start = Start{c.ray.ray, c.ray.kind};
             ray_ = c.ray;
             --left_;

@@ -69,7 +69,7 @@ template <class Dut> struct Hand {
     explicit Hand(const Config& config) : dut{config} {
         dut.prim_req.ready = dut.tested.ready = dut.tri_req.ready = dut.closest.ready = true;
         for (std::uint32_t ray = 0; ray < std::uint32_t(config.contexts); ++ray) {
-            dut.start = Start{ray, 0};
+            dut.start = Start{ray};
             cycle();
         }
         dut.start.reset();

@@ -86,7 +86,7 @@ template <class Dut> struct Hand {
         return seen;
     }
     void start(std::uint32_t ray) {
-        dut.start = Start{ray, 0};
+        dut.start = Start{ray};
         dut.ray.offer = Ray{};
         dut.ray.offer->ray = ray;
         REQUIRE(cycle().ray.fires());
@@ -278,14 +278,14 @@ TEMPLATE_TEST_CASE("trav sends a node's leaves to list immediately if the neares
     REQUIRE(seen.done.offer);
 
     // When the ray starts again, every leaf can matter. A shadow ray searches as far as the surface.
-    for (const std::uint32_t kind : {0, 2, 3}) {
+    for (const RayKind kind : {RayKind::camera, RayKind::shadow, RayKind::away}) {
         hand.dut.start = Start{2, kind};
         hand.cycle();
         hand.dut.start.reset();
         const std::uint32_t most = (1u << config.t_bits()) - 1,
                             surface = 1u << (config.coord_bits + config.t_frac_bits);
-        REQUIRE(hand.cycle(leaf_at(2, kind == 2 ? surface : most)).leaves);
-        REQUIRE(hand.cycle(leaf_at(2, surface + 1)).leaves.has_value() == (kind != 2));
+        REQUIRE(hand.cycle(leaf_at(2, kind == RayKind::shadow ? surface : most)).leaves);
+        REQUIRE(hand.cycle(leaf_at(2, surface + 1)).leaves.has_value() == (kind != RayKind::shadow));
         for (int i = 0; i < 4; ++i) hand.cycle();
     }
 }
@@ -301,13 +301,13 @@ TEMPLATE_TEST_CASE("a fast trav sends leaves to list some cycles later, up to th
         for (int i = 0; i < 20; ++i) given |= hand.cycle().leaves.has_value();
         return given;
     };
-    for (const std::uint32_t kind : {0, 2, 3}) {
+    for (const RayKind kind : {RayKind::camera, RayKind::shadow, RayKind::away}) {
         hand.dut.start = Start{2, kind};
         hand.cycle();
         hand.dut.start.reset();
         for (int i = 0; i < 4; ++i) hand.cycle();
-        REQUIRE(are_given(kind == 2 ? surface : most));
-        REQUIRE(are_given(surface + 1) == (kind != 2));
+        REQUIRE(are_given(kind == RayKind::shadow ? surface : most));
+        REQUIRE(are_given(surface + 1) == (kind != RayKind::shadow));
     }
 }
 
