@@ -27,9 +27,9 @@ std::vector<PrimData> triangles(std::uint32_t count, int extent) {
     for (std::uint32_t i = 0; i < count; ++i) {
         const int x = draw.between(-extent, extent), y = draw.between(-extent, extent),
                   z = draw.between(-extent, extent);
-        prims.push_back({{at(x), at(y), at(z)}, {at(x), at(y), at(z)}, {at(x), at(y), at(z)}, i, 0});
+        prims.push_back({{at(x), at(y), at(z)}, {at(x), at(y), at(z)}, {at(x), at(y), at(z)}, i});
     }
-    prims.push_back({{-extent, -extent, -extent}, {extent, extent, extent}, {extent, -extent, 0}, count, 0});
+    prims.push_back({{-extent, -extent, -extent}, {extent, extent, extent}, {extent, -extent, 0}, count});
     return prims;
 }
 
@@ -105,7 +105,7 @@ TEST_CASE("with straddlers in inner nodes, each straddling primitive is in its i
 TEST_CASE("an octree of a flat scene has no planes across it") {
     std::vector<PrimData> prims;
     for (int i = 0; i < 100; ++i)
-        prims.push_back({{40 * i, 0, 7}, {40 * i + 30, 0, 7}, {40 * i, 30, 7}, std::uint32_t(i), 0});
+        prims.push_back({{40 * i, 0, 7}, {40 * i + 30, 0, 7}, {40 * i, 30, 7}, std::uint32_t(i)});
     const cells::CellPtr root = octree::build(prims, octree_of(1, Straddlers::leaves));
     REQUIRE(!root->is_leaf());
     const Cell& quarter = *root->lower->lower;

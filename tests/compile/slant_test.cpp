@@ -33,7 +33,7 @@ std::vector<std::string> complaints(const std::vector<PrimData>& prims, const Co
 const std::vector<std::string> none;
 
 PrimData triangle(const Vec3i& a, const Vec3i& b, const Vec3i& c, std::uint32_t number) {
-    return {a, b, c, number, 0};
+    return {a, b, c, number};
 }
 
 /// Returns triangles in all directions. Many share corners, edges and planes.

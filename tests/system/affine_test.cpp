@@ -101,7 +101,7 @@ public:
 
     void shoot(const Vec3i& d, bool in_fractions, Sums& sums) {
         const Ray ray = make_ray(eye_, d, config_);
-        const Change in = xform({0, ray.o, ray.d, placement_, 0, {}}, config_);
+        const Change in = xform({0, ray.o, ray.d, placement_, RayKind::camera, {}}, config_);
         const Vec3i o_right = oracle::placed_point(place_, eye_, 0, config_.map_frac()),
                     d_right = oracle::placed_direction(place_, d, config_.map_frac());
         bool agrees = in.o == o_right && in.d == d_right;
@@ -110,7 +110,7 @@ public:
         for (const std::uint32_t i : candidates_) {
             const oracle::Corners& t = corners_[i];
             TriRsp rsp;
-            test_(in.o, in.d, {t.a, t.b, t.c, i, 0}, {}, config_, rsp);
+            test_(in.o, in.d, {t.a, t.b, t.c, i}, {}, config_, rsp);
             const oracle::ExactHit hit = oracle::exact_hit(o_right, d_right, t, i);
             agrees = agrees && (rsp.closer != 0) == (hit.primitive == i);
             hits += rsp.closer != 0, right += hit.primitive == i;

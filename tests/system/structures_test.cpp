@@ -101,7 +101,7 @@ void same_hits(const stress::Family& family, Config config, std::uint64_t seed, 
     const stress::Case subject = family.make(config.coord_bits, config.dir_bits, rng);
     std::vector<PrimData> prims;
     for (const oracle::Corners& t : subject.mesh.triangles)
-        prims.push_back({t.a, t.b, t.c, std::uint32_t(prims.size()), 0});
+        prims.push_back({t.a, t.b, t.c, std::uint32_t(prims.size())});
     std::erase_if(prims, [&](const PrimData& t) { return !counts(t, config); });
     std::vector<std::unique_ptr<Walker>> walkers;
     for (const Config& c : all_structures(config)) walkers.push_back(std::make_unique<Walker>(prims, c));
@@ -288,7 +288,7 @@ TEST_CASE("a structure refuses what it cannot walk", "[structures]") {
 TEST_CASE("no plane separates primitives that are all the same", "[structures]") {
     const Config config = structured(lattice_of(18), GENERATE(from_range(tree_structures())));
     for (const std::uint32_t n : {1u, 6u, 7u, 1000u}) {
-        std::vector<PrimData> prims(n, {{0, 0, 0}, {1000, 0, 0}, {0, 1000, 0}, 0, 0});
+        std::vector<PrimData> prims(n, {{0, 0, 0}, {1000, 0, 0}, {0, 1000, 0}, 0});
         for (std::uint32_t i = 0; i < n; ++i) prims[i].prim = i;
         Walker walker(prims, config);
         const Closest hit = walker.closest({{10, 10, 500}, {0, 0, -100000}, {}});

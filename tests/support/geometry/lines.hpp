@@ -23,7 +23,7 @@ inline std::vector<PrimData> triangles(std::uint32_t count, int reach, int size)
         for (int& x : middle) x = draw.between(-reach, reach);
         for (Vec3i& c : corner)
             for (std::size_t k = 0; k < 3; ++k) c[k] = middle[k] + draw.between(-size, size);
-        prims.push_back({corner[0], corner[1], corner[2], i, 0});
+        prims.push_back({corner[0], corner[1], corner[2], i});
     }
     return prims;
 }
