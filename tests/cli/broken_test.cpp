@@ -125,7 +125,7 @@ TEST_CASE("verify names the first divergence of wrong RTL, and shows it as a wav
 
 TEST_CASE("RTL that cannot be built is an error, and leaves nothing in the cache") {
     const Folder folder;
-    const std::string rtl = broken_rtl(folder, "unit/trav/rc_rank.sv", "endmodule", "endmodul");
+    const std::string rtl = broken_rtl(folder, "engine/rc_rank.sv", "endmodule", "endmodul");
     fs::create_directory(folder.name("cache"));
     const Outcome outcome = run_program({"verify", "tetra:1", "--size", "8x8"},
                                         {"RAYCLOCK_RTL=" + rtl, "RAYCLOCK_CACHE=" + folder.name("cache")});

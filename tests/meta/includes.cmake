@@ -1,7 +1,8 @@
 # cmake -DSOURCE=folder [-DPARTIAL=ON: some rooms may be missing] -P includes.cmake
 # A file of model and sim includes files of its own room and of lower rooms only. So model includes no file of
 # sim. In model the first include of a .cpp lies in its own folder, so each declaration lies in the folder of
-# its definition. No folder holds more than eleven folders.
+# its definition. A module of one engine in rtl instantiates no module of another. No folder holds more than
+# eleven folders.
 #
 # The rooms from the lowest to the highest. Every room with sources is listed, and every listed room exists.
 set(rooms model/base model/core model/scene model/layout model/board model/mem model/unit model/engine
@@ -65,6 +66,37 @@ foreach(file IN LISTS files)
       engine_floor("${included}" part part_floor)
       if(NOT part STREQUAL own AND NOT part_floor LESS own_floor)
         string(APPEND faults "${file} includes ${included}, which is not a file of a lower engine\n")
+      endif()
+    endif()
+  endforeach()
+endforeach()
+# In rtl/engine, lowest first: the modules beside the rooms of engines (engine), cells, the engines.
+function(rtl_floor room floor)
+  set(found 2)
+  if(room STREQUAL "engine")
+    set(found 0)
+  elseif(room STREQUAL "cells")
+    set(found 1)
+  endif()
+  set(${floor} ${found} PARENT_SCOPE)
+endfunction()
+file(GLOB_RECURSE modules RELATIVE ${SOURCE} ${SOURCE}/rtl/engine/*.sv)
+foreach(file IN LISTS modules)
+  string(REGEX MATCH "([a-z0-9_]+)/([a-z0-9_]+)\\.sv$" name ${file})
+  set(room_of_${CMAKE_MATCH_2} ${CMAKE_MATCH_1})
+endforeach()
+foreach(file IN LISTS modules)
+  cmake_path(GET file STEM module)
+  set(room ${room_of_${module}})
+  rtl_floor(${room} floor)
+  file(STRINGS ${SOURCE}/${file} lines REGEX "^ *rc_[a-z0-9_]+ +(#\\(|u_)")
+  foreach(line IN LISTS lines)
+    string(REGEX MATCH "rc_[a-z0-9_]+" instance "${line}")
+    set(other ${room_of_${instance}})
+    if(other AND NOT other STREQUAL room)
+      rtl_floor(${other} other_floor)
+      if(NOT other_floor LESS floor)
+        string(APPEND faults "${file} instantiates ${instance}, which is not a module of a lower engine\n")
       endif()
     endif()
   endforeach()

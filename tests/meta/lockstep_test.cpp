@@ -147,7 +147,7 @@ TEST_CASE("lockstep names the first cycle in which the RTL is late") {
     const std::string queue =
         "  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (\n    .clk_i, .rst_ni, ";
     const Mutant mutant(
-        "unit/trav/rc_node_answer.sv",
+        "engine/rc_node_answer.sv",
         queue + ".valid_i(end_valid_i), .ready_o(queue_ready), .data_i(queue_data),",
         "  logic late_q;\n  logic [rc_pkg::BoxRspW-1:0] data_q;\n  always_ff @(posedge clk_i) begin\n"
         "    late_q <= rst_ni && end_valid_i;\n    data_q <= queue_data;\n  end\n" +

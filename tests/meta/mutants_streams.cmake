@@ -76,7 +76,7 @@ mutant(stream_file_may_be_longer FILE sim/files/npy.cpp TEST load [rays]
   OLD [[too_many || need != have]]
   NEW [[too_many || need > have]])
 # The shortest reset takes fewer cycles than rc_recip has stages.
-mutant(recip_holds_rays_after_a_reset FILE rtl/unit/raygen/rc_recip.sv TEST torture
+mutant(recip_holds_rays_after_a_reset FILE rtl/fixed/rc_recip.sv TEST torture
   "model and RTL agree under torture"
   OLD [[valid_q <= rst_ni ? valid[Stages-1:0] : '0;]]
   NEW [[valid_q <= valid[Stages-1:0];]])

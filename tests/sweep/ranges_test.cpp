@@ -289,7 +289,7 @@ TEST_CASE("the widths in the table of ranges are the RTL's", "[fit]") {
          {"logic signed [GuardSumW-1:0] s1_right_q, s1_down_q, s1_corner;",
           "localparam int unsigned GuardDirBits = rc_pkg::GuardDirBits;",
           "localparam int unsigned GuardSumW = GuardDirBits + SubBits;"}},
-        {"unit/raygen/rc_recip.sv", {"logic [RayDirBits-1:0] s0_mag, mag;"}}};
+        {"fixed/rc_recip.sv", {"logic [RayDirBits-1:0] s0_mag, mag;"}}};
     for (const auto& [name, lines] : texts) {
         std::ifstream file(rtl_sources() / name);
         std::ostringstream text;
