@@ -38,7 +38,7 @@ struct Stages {
     int pair_share = 1;
     bool pair_parts = false;
     int pair = 1;
-    // Primitives, rtl/unit/isect/rc_tri.sv: rc_edges, rc_shear, the comparison, rc_hitdiv, rc_sphere.
+    // Primitives, rtl/unit/tri/rc_tri.sv: rc_edges, rc_shear, the comparison, rc_hitdiv, rc_sphere.
     int edges = 0;
     int shear = 0;
     int compare = 0;

@@ -67,7 +67,7 @@ void check_waveform(const Folder& folder, const nlohmann::json& d) {
 
     const std::string page = bytes_of(out + "divergence.html");
     for (const std::string& part :
-         {std::string("with another payload"), std::string("rtl/unit/isect/rc_tri.sv:"),
+         {std::string("with another payload"), std::string("rtl/unit/tri/rc_tri.sv:"),
           std::string("assign rsp_o = "), std::string(d["expected"]), std::string(d["got"]),
           std::string("prim_req from list to prim_cache"), std::string("<th>rsp_valid_o</th>")})
         CHECK(page.find(part) != std::string::npos);
@@ -79,7 +79,7 @@ TEST_CASE("verify names the first divergence of wrong RTL, and shows it as a wav
     const Folder folder;
     // u of every hit is one too large.
     const std::string rtl =
-        broken_rtl(folder, "unit/isect/rc_hitdiv.sv", "assign u_o = {", "assign u_o = (BaryBits+1)'(1) + {");
+        broken_rtl(folder, "unit/tri/rc_hitdiv.sv", "assign u_o = {", "assign u_o = (BaryBits+1)'(1) + {");
     const std::vector<std::string> environment{"RAYCLOCK_RTL=" + rtl,
                                                "RAYCLOCK_CACHE=" + folder.name("cache")};
     const std::string file = folder.name("report.json");
@@ -113,7 +113,7 @@ TEST_CASE("verify names the first divergence of wrong RTL, and shows it as a wav
     check_waveform(folder, d);
     // The value passes a queue and a register, back to the statement that computes it.
     const std::string page = bytes_of(folder.name("out/divergence.html"));
-    CHECK(page.find("<dt>made by</dt><dd>rtl/unit/isect/rc_hitdiv.sv:") != std::string::npos);
+    CHECK(page.find("<dt>made by</dt><dd>rtl/unit/tri/rc_hitdiv.sv:") != std::string::npos);
     CHECK(page.find("<code>assign u_o = (BaryBits+1)") != std::string::npos);
 
     // render shows the frame of the faulty RTL and does not stop.

@@ -29,9 +29,8 @@ std::string faulty_rtl(const Folder& folder, const std::string& file, const std:
 
 TEST_CASE("a rounding fault in the RTL is a bug, and the exit code says so", "[slow]") {
     const Folder folder;
-    const std::string rtl =
-        faulty_rtl(folder, "unit/isect/rc_hitdiv.sv", "t_down + {{(TBits-1){1'b0}}, t_up}",
-                   "t_down + {{(TBits-1){1'b0}}, t_up && 1'b0}");
+    const std::string rtl = faulty_rtl(folder, "unit/tri/rc_hitdiv.sv", "t_down + {{(TBits-1){1'b0}}, t_up}",
+                                       "t_down + {{(TBits-1){1'b0}}, t_up && 1'b0}");
     const std::vector<std::string> environment{"RAYCLOCK_RTL=" + rtl,
                                                "RAYCLOCK_CACHE=" + folder.name("cache")};
     const std::vector<std::string> frame{"teapot:3", "--size", "24x18",  "--config", "small",

@@ -8,7 +8,7 @@
 #include "model/compile/levels/levels.hpp"
 #include "model/engine/check.hpp"
 #include "model/base/error.hpp"
-#include "model/unit/isect/test_primitive.hpp"
+#include "model/unit/tri/test_primitive.hpp"
 #include "sim/judge/oracle/visibility.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "model/unit/shade/bounce.hpp"

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "model/engine/bvh/encode.hpp"
-#include "model/unit/isect/vectors.hpp"
+#include "model/unit/tri/vectors.hpp"
 #include "tests/compile/listed.hpp"
 #include "tests/support/cases/draw.hpp"
 

@@ -117,7 +117,7 @@ TEST_CASE("lockstep names the first wrong value") {
     const Event event =
         first_event<TriRsp>(job, Link::tri_rsp, [](const TriRsp& rsp) { return rsp.closer != 0; });
     REQUIRE(event.cycle > 0);
-    const Mutant mutant("unit/isect/rc_hitdiv.sv", "assign v_o = {", "assign v_o = (BaryBits+1)'(1) + {");
+    const Mutant mutant("unit/tri/rc_hitdiv.sv", "assign v_o = {", "assign v_o = (BaryBits+1)'(1) + {");
     const LockstepResult result = run_lockstep(job);
     check_first(result, event, "tri", "tri_rsp");
     CHECK(result.value_mismatches > 1);
@@ -170,7 +170,7 @@ TEST_CASE("lockstep names the first cycle in which the RTL is late") {
 }
 
 TEST_CASE("lockstep names the first cycle in which the RTL is early") {
-    const Mutant mutant("unit/isect/rc_tri.sv", "|valid_q[Interval-2:0];", "|valid_q[Interval-3:0];");
+    const Mutant mutant("unit/tri/rc_tri.sv", "|valid_q[Interval-2:0];", "|valid_q[Interval-3:0];");
     const LockstepResult result = run_lockstep(small_job(4));
     REQUIRE(result.first);
     CHECK(result.first->unit == "tri");   // which took it too soon

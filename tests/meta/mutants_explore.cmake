@@ -13,7 +13,7 @@ mutant(fit_forgets_depth FILE sim/explore/fit/search.cpp TEST sweep "what fit fi
   NEW [[2 * (config.dir_bits + config.t_frac_bits))]])
 
 # ---- stress: faults of the machine that it must notice by itself, and faults of its own.
-mutant(stress_sheared_rounds_by_triangle FILE model/unit/isect/sheared.cpp TEST system "controls are noticed*"
+mutant(stress_sheared_rounds_by_triangle FILE model/unit/tri/sheared.cpp TEST system "controls are noticed*"
   OLD [[const Corner a = sheared(triangle.a, o, shear, frac),]]
   NEW [[const Corner a = sheared({triangle.a[0] + int(triangle.prim & 1), triangle.a[1], triangle.a[2]}, o, shear, frac),]])
 mutant(stress_stack_need_one_short FILE model/layout/node_statistics.hpp WITH model/compile/emit.cpp

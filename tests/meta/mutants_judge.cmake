@@ -48,7 +48,7 @@ mutant(judge_refraction_bends_too_far FILE model/unit/shade/bounce.cpp TEST simu
 mutant(judge_ratio_of_indices_inverted FILE model/unit/shade/surf.cpp TEST simulate "spheres --depth 4"
   OLD [[state.ratio = in.hit.back ? s.leave : s.enter;]]
   NEW [[state.ratio = in.hit.back ? s.enter : s.leave;]])
-mutant(judge_origin_on_the_border FILE model/unit/isect/origin.cpp TEST simulate
+mutant(judge_origin_on_the_border FILE model/unit/tri/origin.cpp TEST simulate
   "gears:1 --depth 1 --size 160x120 | teapot:3 --depth 1 --size 160x120"
   OLD [[Weights w{std::max(rounded(u), 1u), std::max(rounded(v), 1u)};]]
   NEW [[Weights w{rounded(u), rounded(v)};]])
@@ -66,27 +66,27 @@ mutant(judge_lights_share_a_colour FILE model/compile/surfaces.cpp TEST simulate
   OLD [[fixed(scene.lights[i].colour[int(k)], share_bits,]]
   NEW [[fixed(0.9 * scene.lights[0].colour[int(k)], share_bits,]])
 
-# ---- Rays and primitives: model/unit/isect/test_primitive.cpp.
-mutant(judge_far_half_of_shadow_rays_is_free FILE model/unit/isect/test_primitive.cpp TEST simulate
+# ---- Rays and primitives: model/unit/tri/test_primitive.cpp.
+mutant(judge_far_half_of_shadow_rays_is_free FILE model/unit/tri/test_primitive.cpp TEST simulate
   "cornell --depth 1"
   OLD [[e.num * (Wide(1) << frac) < e.det;]]
   NEW [[e.num * (Wide(1) << frac) * 2 < e.det;]])
-mutant(judge_plane_rounded_to_zero FILE model/unit/isect/test_primitive.cpp TEST simulate "spheres --depth 1"
+mutant(judge_plane_rounded_to_zero FILE model/unit/tri/test_primitive.cpp TEST simulate "spheres --depth 1"
   OLD [[if (scaled < 0 && whole * det != scaled) --whole;]]
   NEW [[;]])
-mutant(judge_sphere_shades_itself FILE model/unit/isect/test_primitive.cpp TEST simulate "balls:1 --depth 1"
+mutant(judge_sphere_shades_itself FILE model/unit/tri/test_primitive.cpp TEST simulate "balls:1 --depth 1"
   OLD [[if (sphere.prim == ray.self) return seen_inside && ray.is_inside != 0 && from_outside;]]
   NEW [[if (sphere.prim == ray.self) return from_outside;]])
-mutant(judge_sphere_left_is_met_again FILE model/unit/isect/test_primitive.cpp TEST simulate
+mutant(judge_sphere_left_is_met_again FILE model/unit/tri/test_primitive.cpp TEST simulate
   "spheres --depth 3"
   OLD [[    if (own && !ray.is_inside) return;]]
   NEW [[    if (own && ray.is_inside) return;]])
-mutant(judge_sphere_t_rounded_down FILE model/unit/isect/test_primitive.cpp TEST simulate "spheres --depth 1"
+mutant(judge_sphere_t_rounded_down FILE model/unit/tri/test_primitive.cpp TEST simulate "spheres --depth 1"
   OLD [[return std::uint32_t((num + det - 1) / det);]]
   NEW [[return std::uint32_t(num / det);]])
 
 # ---- Planes beyond the lattice.
-mutant(judge_finite_ray_meets_planes FILE model/unit/isect/test_primitive.cpp TEST simulate
+mutant(judge_finite_ray_meets_planes FILE model/unit/tri/test_primitive.cpp TEST simulate
   "scenes/pebble.json --depth 1"
   OLD [[if (ray.is_partial && ends_at_any(ray.kind) == (PrimKind(prim.kind) == PrimKind::plane)) return;]]
   NEW [[]])

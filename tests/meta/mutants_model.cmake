@@ -2,23 +2,23 @@
 # row.
 
 # ---- Triangles: no tolerance, the first of equal hits, each edge exactly once.
-mutant(model_tri_epsilon QUICK FILE model/unit/isect/edges.hpp WITH model/unit/isect/tri.cpp TEST unit [tri]
+mutant(model_tri_epsilon QUICK FILE model/unit/tri/edges.hpp WITH model/unit/tri/tri.cpp TEST unit [tri]
   OLD [[return edges.num > 0;]]
   NEW [[return edges.num > edges.det >> 12;]])
-mutant(model_tri_higher_number_wins FILE model/unit/isect/edges.hpp WITH model/unit/isect/tri.cpp TEST unit
+mutant(model_tri_higher_number_wins FILE model/unit/tri/edges.hpp WITH model/unit/tri/tri.cpp TEST unit
   [tri]
   OLD [[(mine == theirs && prim <= best.prim)]]
   NEW [[(mine == theirs && prim >= best.prim)]])
-mutant(model_tri_t_rounded_down FILE model/unit/isect/tri.hpp WITH model/unit/isect/tri.cpp TEST unit [tri]
+mutant(model_tri_t_rounded_down FILE model/unit/tri/tri.hpp WITH model/unit/tri/tri.cpp TEST unit [tri]
   OLD [[q.whole + q.rest]]
   NEW [[q.whole]])
-mutant(frames_tri_tie_turned FILE model/unit/isect/edges.hpp WITH model/unit/isect/tri.cpp TEST system
+mutant(frames_tri_tie_turned FILE model/unit/tri/edges.hpp WITH model/unit/tri/tri.cpp TEST system
   "every pixel*"
   OLD [[edge != 0          ? edge
                            : gradient[0] != 0 ? gradient[0]
                            :]]
   NEW [[edge != 0 ? edge : gradient[0] != 0 ? -gradient[0] :]])
-mutant(sheared_zero_counts_for_both FILE model/unit/isect/sheared.cpp TEST unit [primitive]
+mutant(sheared_zero_counts_for_both FILE model/unit/tri/sheared.cpp TEST unit [primitive]
   OLD [[if (side(u, c, a) != sign ||]]
   NEW [[if ((u != 0 && side(u, c, a) != sign) ||]])
 mutant(sheared_boxes_are_not_larger FILE model/compile/compile.cpp TEST unit [primitive]
@@ -75,7 +75,7 @@ mutant(frames_record_skips_last_triangle FILE model/unit/list/ray_tests.hpp WITH
   NEW [[if (++half_line + 1 < end) return true;]])
 
 # ---- Answers that are wrong by a tie, judged pixel by pixel.
-mutant(model_answer_tie_first_come FILE model/unit/isect/edges.hpp WITH tests/system/cause_test.cpp
+mutant(model_answer_tie_first_come FILE model/unit/tri/edges.hpp WITH tests/system/cause_test.cpp
   tests/support/machine/frames.cpp model/trace/record.cpp TEST system "the oracle requires the*"
   OLD [[return mine < theirs || (mine == theirs && prim <= best.prim);]]
   NEW [[return mine < theirs;]])
@@ -103,34 +103,34 @@ mutant(scene_bounds_without_spheres FILE model/scene/scene.cpp TEST scene [check
   NEW [[growing.add(sphere.centre, sphere.centre);]])
 
 # ---- Origins of secondary rays, in functions that no machine runs.
-mutant(model_origin_end_counts FILE model/unit/isect/origin.cpp TEST unit [origin]
+mutant(model_origin_end_counts FILE model/unit/tri/origin.cpp TEST unit [origin]
   OLD [[hit->num << frac_bits < hit->det]]
   NEW [[hit->num << frac_bits <= hit->det]])
-mutant(model_origin_low_products_alone FILE model/unit/isect/edges.hpp WITH model/unit/isect/origin.cpp
+mutant(model_origin_low_products_alone FILE model/unit/tri/edges.hpp WITH model/unit/tri/origin.cpp
   TEST unit [origin]
   OLD [[high = (bottom >> 64) +]]
   NEW [[high =]])
-mutant(model_origin_boxes_inward FILE model/unit/isect/origin.cpp TEST unit [origin]
+mutant(model_origin_boxes_inward FILE model/unit/tri/origin.cpp TEST unit [origin]
   OLD [[box.near[k] = d[k] < 0 ? below : above;]]
   NEW [[box.near[k] = below;]])
 
 # ---- Any ray against any primitive: the last bit of a root, and exact contact.
-mutant(model_any_end_of_the_way_blocks FILE model/unit/isect/test_primitive.cpp TEST unit [any]~[tri]
+mutant(model_any_end_of_the_way_blocks FILE model/unit/tri/test_primitive.cpp TEST unit [any]~[tri]
   OLD [[e.num * (Wide(1) << frac) < e.det;]]
   NEW [[e.num * (Wide(1) << frac) <= e.det;]])
-mutant(model_sphere_touch_is_no_hit QUICK FILE model/unit/isect/test_primitive.cpp TEST unit
+mutant(model_sphere_touch_is_no_hit QUICK FILE model/unit/tri/test_primitive.cpp TEST unit
   "tri is right for every camera ray and sphere*"
   OLD [[m.along >= 0 || m.disc < 0 : m.power < 0]]
   NEW [[m.along >= 0 || m.disc <= 0 : m.power < 0]])
-mutant(model_sphere_far_root_rounded_down FILE model/unit/isect/test_primitive.cpp TEST unit
+mutant(model_sphere_far_root_rounded_down FILE model/unit/tri/test_primitive.cpp TEST unit
   "tri of a chip that shades decides exactly and measures within its bound - Model*"
   OLD [[Wide(r.whole + r.rest) << r.shift]]
   NEW [[Wide(r.whole) << r.shift]])
-mutant(model_sphere_light_on_it_is_inside FILE model/unit/isect/test_primitive.cpp TEST unit
+mutant(model_sphere_light_on_it_is_inside FILE model/unit/tri/test_primitive.cpp TEST unit
   "tri is right for secondary rays and spheres*"
   OLD [[return end > 0 && (m.power < 0 || m.along < 0);]]
   NEW [[return end > 0;]])
-mutant(model_root_needs_a_bit FILE model/unit/isect/test_primitive.cpp TEST unit "the root is rounded down*"
+mutant(model_root_needs_a_bit FILE model/unit/tri/test_primitive.cpp TEST unit "the root is rounded down*"
   OLD [[std::max(bits - 2 * root_bits + 1, 0) / 2;]]
   NEW [[std::max(bits - 2 * root_bits + 2, 0) / 2;]])
 mutant(model_square_root_rounded_up FILE model/unit/shade/square_root.cpp TEST unit [square_root]

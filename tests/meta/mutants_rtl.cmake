@@ -17,40 +17,40 @@ mutant(small_slab_saturation_wraps FILE rtl/engine/bvh/rc_slab.sv TEST unit [box
   NEW [[over_q <= {SumW{1'b1}} << 1 << ready_move;]])
 
 # ---- Triangles: exact decisions at the corners of the lattice, and the first of equal hits.
-mutant(edges_normal_one_bit_short FILE rtl/unit/isect/rc_edges.sv TEST unit
+mutant(edges_normal_one_bit_short FILE rtl/unit/tri/rc_edges.sv TEST unit
   "tri is exact at the corners of the lattice*"
   OLD [[localparam int unsigned EdgeCrossW  = 2 * DiffW + 1;]]
   NEW [[localparam int unsigned EdgeCrossW  = 2 * DiffW - 2;]])
-mutant(small_edges_third_tie_turned FILE rtl/unit/isect/rc_edges.sv TEST unit [tri][small]
+mutant(small_edges_third_tie_turned FILE rtl/unit/tri/rc_edges.sv TEST unit [tri][small]
   OLD [[assign w_sign[k]  = holds && gen_cross[k].p1_q < gen_cross[k].p2_q;]]
   NEW [[assign w_sign[k]  = (k == 2) != (gen_cross[k].p1_q < gen_cross[k].p2_q);]])
-mutant(tri_equal_is_not_closer FILE rtl/unit/isect/rc_tri.sv TEST unit [tri]
+mutant(tri_equal_is_not_closer FILE rtl/unit/tri/rc_tri.sv TEST unit [tri]
   OLD [[{f1_theirs_q, wide_first}]]
   NEW [[{f1_theirs_q, wide_first && f1_mine_q == '0}]])
-mutant(small_tri_compares_the_cut_product FILE rtl/unit/isect/rc_tri.sv TEST unit [tri][small]
+mutant(small_tri_compares_the_cut_product FILE rtl/unit/tri/rc_tri.sv TEST unit [tri][small]
   OLD [[{f1_mine_q, 1'b0} < {f1_theirs_q, wide_first};]]
   NEW [[{f1_mine_q >> 1, 1'b0} < {f1_theirs_q >> 1, wide_first};]])
-mutant(hitdiv_t_wraps FILE rtl/unit/isect/rc_hitdiv.sv TEST unit "t ends where its bits do - Rtl*"
+mutant(hitdiv_t_wraps FILE rtl/unit/tri/rc_hitdiv.sv TEST unit "t ends where its bits do - Rtl*"
   OLD [[assign t_o = end_beyond || (&t_down)]]
   NEW [[assign t_o = (end_beyond && 1'b0) || (&t_down)]])
 
 # ---- Spheres: the last bit of a root, exact contact, and the sphere that a ray leaves.
-mutant(sphere_far_root_rounded_down FILE rtl/unit/isect/rc_sphere.sv TEST unit
+mutant(sphere_far_root_rounded_down FILE rtl/unit/tri/rc_sphere.sv TEST unit
   "tri of a chip that shades decides exactly and measures within its bound - Rtl*"
   OLD [[far_q[AtR] && (r_inexact || r_lost)};]]
   NEW [[far_q[AtR] && (r_inexact || r_lost) && 1'b0};]])
-mutant(sphere_forgets_what_was_cut FILE rtl/unit/isect/rc_sphere.sv TEST unit
+mutant(sphere_forgets_what_was_cut FILE rtl/unit/tri/rc_sphere.sv TEST unit
   "a discriminant next to a square is not*"
   OLD [[far_q[AtR] && (r_inexact || r_lost)};]]
   NEW [[far_q[AtR] && (r_inexact || (r_lost && 1'b0))};]])
-mutant(sphere_disc_one_bit_short FILE rtl/unit/isect/rc_sphere.sv TEST unit
+mutant(sphere_disc_one_bit_short FILE rtl/unit/tri/rc_sphere.sv TEST unit
   "tri of a chip that shades is exact at the ends of every width - Rtl*"
   OLD [[? 2 * (M + OriginWidth) + 2 : 2 * (N + OriginWidth) + 4;]]
   NEW [[? 2 * (M + OriginWidth) + 1 : 2 * (N + OriginWidth) + 3;]])
-mutant(sphere_own_is_met FILE rtl/unit/isect/rc_sphere.sv TEST unit "the sphere test distinguishes inside*"
+mutant(sphere_own_is_met FILE rtl/unit/tri/rc_sphere.sv TEST unit "the sphere test distinguishes inside*"
   OLD [[assign s3_goes  = (!s3_own || s3_inside)]]
   NEW [[assign s3_goes  = (!s3_own || s3_inside || s3_outside)]])
-mutant(sphere_touched_at_the_end_blocks FILE rtl/unit/isect/rc_sphere.sv
+mutant(sphere_touched_at_the_end_blocks FILE rtl/unit/tri/rc_sphere.sv
   TEST unit "a sphere that is touched where a shadow ray ends is not in its way - Rtl*"
   OLD [[!sum_foot[Foot-1] && sum_foot != '0, sum_end[PowerW-1],]]
   NEW [[!sum_foot[Foot-1], sum_end[PowerW-1],]])
@@ -160,10 +160,10 @@ mutant(host_clears_a_cycle_late FILE rtl/host/rc_host.sv TEST unit [host]
   NEW [[logic late_q; always_ff @(posedge clk_i) late_q <= state_q == StPrepare; assign clear_o = Counters != 0 && late_q;]])
 
 # ---- Fast chips and shared multipliers.
-mutant(fast_hitdiv_loses_a_stage FILE rtl/unit/isect/rc_hitdiv.sv TEST unit [tri][fast]
+mutant(fast_hitdiv_loses_a_stage FILE rtl/unit/tri/rc_hitdiv.sv TEST unit [tri][fast]
   OLD [[rc_path_register #(.Width(TBits + 1)) u_t_last]]
   NEW [[rc_path_register #(.Width(TBits + 1), .Stages(0)) u_t_last]])
-mutant(tri_rests_a_cycle_less QUICK FILE rtl/unit/isect/rc_tri.sv TEST unit [tri][interval]
+mutant(tri_rests_a_cycle_less QUICK FILE rtl/unit/tri/rc_tri.sv TEST unit [tri][interval]
   OLD [[|valid_q[Interval-2:0];]]
   NEW [[|valid_q[(Interval-1)/2:0];]])
 mutant(shared_products_wait_alike FILE rtl/fixed/rc_mul_shared.sv TEST unit [tri][interval]

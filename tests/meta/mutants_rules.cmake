@@ -40,7 +40,7 @@ mutant(rule_spheres_smaller_than_the_scene_s FILE model/compile/surfaces.cpp TES
   [[        const double square = std::min(std::round(0.999 * radius * 0.999 * radius), std::exp2(2 * coord_bits) - 1);]])
 
 # ---- Where rays come from.
-mutant(rule_rays_leave_a_sphere_four_ticks_too_far FILE model/unit/isect/test_primitive.cpp TEST simulate
+mutant(rule_rays_leave_a_sphere_four_ticks_too_far FILE model/unit/tri/test_primitive.cpp TEST simulate
   "spheres --depth 2"
   OLD [[const std::uint32_t t = distance_of(way, units - scale, m.square, config);]]
   NEW [[const std::uint32_t t = 4 + distance_of(way, units - scale, m.square, config);]]
@@ -73,7 +73,7 @@ mutant(rule_eye_one_step_aside FILE model/compile/frame.cpp TEST simulate "gears
   NEW [[frame.eye = lattice.snap(rays.eye + lattice.pitch);]])
 string(CONCAT origin_scenes "gears:1 --depth 1 --size 160x120 | teapot:3 --depth 1 --size 160x120 | "
   "cornell --depth 1 --size 160x120 | gears:2 --depth 1 --size 320x240")
-mutant(rule_excess_from_the_smaller_weight FILE model/unit/isect/origin.cpp TEST simulate "${origin_scenes}"
+mutant(rule_excess_from_the_smaller_weight FILE model/unit/tri/origin.cpp TEST simulate "${origin_scenes}"
   OLD [[(w.u > w.v ? w.u : w.v) -= excess;]]
   NEW [[(w.u > w.v && w.v > excess ? w.v : w.u > excess ? w.u : w.v) -= excess;]])
 

@@ -428,11 +428,11 @@ mutant(tex_list_passes_any_primitive FILE rtl/unit/list/rc_list.sv TEST unit ${l
 mutant(tex_list_loses_the_kind_of_a_hit FILE rtl/unit/list/rc_list.sv TEST unit ${light_list}
   OLD [[assign closest_o.cutout = closest_hit.cutout;]]
   NEW [[assign closest_o.cutout = closest_hit.cutout && 1'b0;]])
-mutant(tex_tri_cutout_has_no_weights FILE rtl/unit/isect/rc_tri.sv TEST unit
+mutant(tex_tri_cutout_has_no_weights FILE rtl/unit/tri/rc_tri.sv TEST unit
   "tri of a chip that shades decides exactly and measures within its bound - Rtl<TriUnit>"
   OLD [[(!pre_any || pre_cutout);]]
   NEW [[!pre_any;]])
-mutant(tex_tri_cutout_for_every_ray FILE rtl/unit/isect/rc_tri.sv TEST unit
+mutant(tex_tri_cutout_for_every_ray FILE rtl/unit/tri/rc_tri.sv TEST unit
   "tri of a chip that shades decides exactly and measures within its bound - Rtl<TriUnit>"
   OLD [[rc_pkg::HasTextures && in_any && in.prim_kind]]
   NEW [[rc_pkg::HasTextures && in.prim_kind]])

@@ -4,7 +4,7 @@
 
 #include "model/compile/levels/levels.hpp"
 #include "model/base/error.hpp"
-#include "model/unit/isect/primitive.hpp"
+#include "model/unit/tri/primitive.hpp"
 #include "sim/judge/oracle/exact.hpp"
 #include "sim/judge/oracle/placed.hpp"
 #include "sim/judge/oracle/surface.hpp"

@@ -1,7 +1,7 @@
 // Secondary rays: no surface shadows itself, and no light leaks through a shell of any thickness.
 #include <catch2/catch.hpp>
 
-#include "model/unit/isect/origin.hpp"
+#include "model/unit/tri/origin.hpp"
 #include "sim/judge/oracle/visibility.hpp"
 #include "sim/explore/stress/shadow_scenes.hpp"
 #include "sim/explore/stress/shadows.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 // Requests for tri, and the judgement of its answers by exact geometry.
-#include "model/unit/isect/sheared.hpp"
+#include "model/unit/tri/sheared.hpp"
 #include "sim/judge/oracle/exact.hpp"
 #include "tests/support/world/traffic.hpp"
 
