@@ -184,7 +184,7 @@ mutant(model_sched_keeps_the_last_frames_pixel FILE model/unit/sched/sched.hpp
   OLD [[        count_ = frame.ray_count;
         select_pixel();]]
   NEW [[        count_ = frame.ray_count;]])
-mutant(model_shade_looks_at_an_answer_at_once FILE model/unit/shade/unit.hpp
+mutant(model_shade_looks_at_an_answer_at_once FILE model/unit/shade/shade.hpp
   WITH tests/unit/shade/shade_test.cpp
   TEST unit [shade][interval]
   OLD [[i < closest_delay_; ++i)]]

@@ -61,7 +61,7 @@ mutant(tex_model_tile_row_shifted FILE ${tex_model} TEST unit ${tex_model_case}
 mutant(tex_model_address_does_not_wrap FILE ${tex_model} TEST unit ${tex_model_case}
   OLD [[((1u << config.addr_bits) - 1)]]
   NEW [[~0u]])
-mutant(tex_model_overtakes_an_offer FILE model/unit/tex/unit.hpp WITH tests/unit/tex/tex_test.cpp TEST unit
+mutant(tex_model_overtakes_an_offer FILE model/unit/tex/tex.hpp WITH tests/unit/tex/tex_test.cpp TEST unit
   ${tex_model_case}
   OLD [[return !link_.second(!texels_.empty());]]
   NEW [[return !texels_.empty();]])
