@@ -6,7 +6,7 @@ namespace rayclock {
 
 /// The number of stages of each pipeline in the chip: the single source for model and RTL. A relaxed chip has
 /// few stages. A fast chip has a register wherever a path would be longer than one addition and a choice
-/// (`rtl/cells/rc_path_register.sv`), and three in every product (`rtl/fixed/rc_mul.sv`).
+/// (`rtl/cells/delays/rc_path_register.sv`), and three in every product (`rtl/fixed/rc_mul.sv`).
 struct Stages {
     int cut = 0;   ///< stages of rc_path_register
     /// Stages of additional registers between units of a chip that shades, which fills the device.

@@ -101,7 +101,7 @@ TEST_CASE("an export's test bench sees a register whose reset is missing", "[slo
     const std::string place = folder.name("chip");
     REQUIRE(run_program({"export", "tetra:2", "--size", "16x12", "--config", "small", "-o", place}).code ==
             0);
-    const std::string path = place + "/rtl/cells/rc_flags.sv", reset = "if (!rst_ni) begin";
+    const std::string path = place + "/rtl/cells/flow/rc_flags.sv", reset = "if (!rst_ni) begin";
     std::string text = bytes_of(path);
     REQUIRE(text.find(reset) != std::string::npos);
     std::ofstream(path, std::ios::binary)

@@ -127,7 +127,7 @@ mutant(tags_not_cleared FILE rtl/mem/rc_tags.sv TEST unit [cache][lockstep]
 mutant(tags_fast_line_that_came_meanwhile_is_not_found FILE rtl/mem/rc_tags.sv TEST unit [cache][fast]
   OLD [[took_q && same_late ? same_took : same_entry;]]
   NEW [[took_q && same_late && 1'b0 ? same_took : same_entry;]])
-mutant(door_one_credit_more QUICK FILE rtl/cells/rc_credit_counter.sv TEST unit [tri][lockstep]
+mutant(door_one_credit_more QUICK FILE rtl/cells/flow/rc_credit_counter.sv TEST unit [tri][lockstep]
   OLD [[Full = CountW'(Credits);]]
   NEW [[Full = CountW'(Credits + 1);]])
 
@@ -136,7 +136,7 @@ mutant(tally_of_box_blames_trav QUICK FILE rtl/unit/trav/rc_node_test.sv TEST un
   "model and RTL of the machine count the same"
   OLD [[cause_o = node_waits_i ?]]
   NEW [[cause_o = !node_waits_i ?]])
-mutant(tally_is_not_cleared FILE rtl/cells/rc_cause_counters.sv TEST unit
+mutant(tally_is_not_cleared FILE rtl/cells/flow/rc_cause_counters.sv TEST unit
   "model and RTL of the machine count the same"
   OLD [[if (counts_q || clear_i)]]
   NEW [[if (counts_q || (clear_i && counts_q))]])

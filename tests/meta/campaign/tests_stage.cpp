@@ -46,7 +46,7 @@ constexpr Fitting fitting[] = {
     {"rtl/unit/shade/rc_contexts", "shade"},
     {"rtl/unit/shade/", "pass"},
     {"rtl/unit/tex/", "tex"},
-    {"rtl/cells/rc_delay_ram", "pass"},
+    {"rtl/cells/delays/rc_delay_ram", "pass"},
     {"rtl/cells/", "list"},
     {"rtl/", "machine"},
     {"model/engine/box_ray", "box"},
