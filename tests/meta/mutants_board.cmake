@@ -30,10 +30,12 @@ mutant(frame_acknowledges_its_own_write FILE ${frame_control} TEST board [frame]
   NEW [[= wb_ack_i;]])
 
 # ---- Conversion of pixels.
-mutant(colour_one_threshold_off QUICK FILE rtl/board/rc_pixel_colour.sv TEST board "every linear value*"
+mutant(colour_one_threshold_off QUICK FILE rtl/board/pixels/rc_pixel_colour.sv TEST board
+  "every linear value*"
   OLD [[17'd52114]]
   NEW [[17'd52115]])
-mutant(colour_label_bits_swapped FILE rtl/board/rc_pixel_colour.sv TEST board "pixels keep their order*"
+mutant(colour_label_bits_swapped FILE rtl/board/pixels/rc_pixel_colour.sv TEST board
+  "pixels keep their order*"
   OLD [[assign colour[15-i] =]]
   NEW [[assign colour[8+i] =]])
 

@@ -2,7 +2,7 @@
 # them. mutants_rtl.cmake explains a row.
 
 # ---- Scan-out: what is requested when, and which pixel is where.
-set(scan_out rtl/board/rc_scan_out.sv)
+set(scan_out rtl/board/video/rc_scan_out.sv)
 mutant(scan_urgent_one_block_late QUICK FILE ${scan_out} TEST board [scan]
   OLD [[!req_ready_i && to_request_q >= to_fall_q;]]
   NEW [[!req_ready_i && to_request_q > to_fall_q;]])
@@ -44,7 +44,7 @@ mutant(scan_frame_one_line_short FILE ${scan_out} TEST board [screen]
   NEW [[TotalH = 524]])
 
 # ---- Pixel writer: no pixel is lost, masked wrongly or written to another block.
-set(pixel_writer rtl/board/rc_pixel_writer.sv)
+set(pixel_writer rtl/board/pixels/rc_pixel_writer.sv)
 mutant(pixels_youngest_goes_first FILE ${pixel_writer} TEST board [pixels]
   OLD [[older_q[Buffers*j+i])]]
   NEW [[older_q[Buffers*i+j])]])
@@ -74,33 +74,33 @@ mutant(pixels_empty_with_a_queued_pixel FILE ${pixel_writer} TEST board [pixels]
   NEW [[= (!head_valid || used_q == '0) && used_q == '0;]])
 
 # ---- Between the clocks, and on the cable.
-mutant(fifo_starts_at_once FILE rtl/board/rc_video_fifo.sv TEST board [fifo]
+mutant(fifo_starts_at_once FILE rtl/board/video/rc_video_fifo.sv TEST board [fifo]
   OLD [[level >= (IndexW+1)'(Depth / 2);]]
   NEW [[level >= (IndexW+1)'(1);]])
-mutant(fifo_overwrites_when_full FILE rtl/board/rc_video_fifo.sv TEST board [fifo]
+mutant(fifo_overwrites_when_full FILE rtl/board/video/rc_video_fifo.sv TEST board [fifo]
   OLD [[writes    = valid_i && !full;]]
   NEW [[writes    = valid_i && (!full || overflow_q);]])
-mutant(fifo_does_not_fill_again FILE rtl/board/rc_video_fifo.sv TEST board [fifo]
+mutant(fifo_does_not_fill_again FILE rtl/board/video/rc_video_fifo.sv TEST board [fifo]
   OLD [[runs_q ? level != '0 :]]
   NEW [[runs_q ? 1'b1 :]])
-mutant(fifo_pointer_crosses_in_binary FILE rtl/board/rc_video_fifo.sv TEST board [screen]
+mutant(fifo_pointer_crosses_in_binary FILE rtl/board/video/rc_video_fifo.sv TEST board [screen]
   OLD [[tail_gray_q <= tail_next ^ (tail_next >> 1);]]
   NEW [[tail_gray_q <= tail_next;]])
-mutant(tmds_tie_by_xor QUICK FILE rtl/board/rc_tmds.sv TEST board [tmds]
+mutant(tmds_tie_by_xor QUICK FILE rtl/board/video/rc_tmds.sv TEST board [tmds]
   OLD [[(data_ones == 4'd4 && !data_i[0]);]]
   NEW [[(data_ones == 4'd4 && !data_i[0] && data_i[1]);]])
-mutant(tmds_top_bits_not_counted FILE rtl/board/rc_tmds.sv TEST board [tmds]
+mutant(tmds_top_bits_not_counted FILE rtl/board/video/rc_tmds.sv TEST board [tmds]
   OLD [[if (inverts && xor_q)        disparity = disparity + 4'sd1;]]
   NEW [[if (inverts && xor_q)        disparity = disparity + 4'sd0;]])
-mutant(tmds_disparity_survives_the_blank FILE rtl/board/rc_tmds.sv TEST board [tmds]
+mutant(tmds_disparity_survives_the_blank FILE rtl/board/video/rc_tmds.sv TEST board [tmds]
   OLD [[      disparity = 4'sd0;
       case]]
   NEW [[      disparity = disparity_q;
       case]])
-mutant(serialiser_second_bit_first FILE rtl/board/rc_serialiser.sv TEST board [screen]
+mutant(serialiser_second_bit_first FILE rtl/board/video/rc_serialiser.sv TEST board [screen]
   OLD [[= shift_q[1:0];]]
   NEW [[= {shift_q[0], shift_q[1]};]])
-mutant(video_red_and_blue_exchanged FILE rtl/board/rc_video.sv TEST board [screen]
+mutant(video_red_and_blue_exchanged FILE rtl/board/video/rc_video.sv TEST board [screen]
   OLD [[of_fifo_vsync, colour}),]]
   NEW [[of_fifo_vsync, colour[7:0], colour[15:8], colour[23:16]}),]])
 
