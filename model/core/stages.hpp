@@ -57,7 +57,7 @@ struct Stages {
     int map_share = 1;
     int recip_share = 1;
     int map = 0;
-    // A pass of shade, rtl/unit/shade/rc_pass.sv. A pass stays in each of its stages for shade_interval
+    // A pass of shade, rtl/unit/shade/pass/rc_pass.sv. A pass stays in each of its stages for shade_interval
     // cycles.
     int pass = 28;
     int pass_cut = 0;    ///< registers within a stage, if a pass stays in it long enough

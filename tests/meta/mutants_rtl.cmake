@@ -90,10 +90,10 @@ mutant(sample_cell_not_reduced_twice FILE rtl/unit/raygen/rc_sample.sv TEST unit
 mutant(power_of_nothing QUICK FILE rtl/fixed/rc_power.sv TEST unit [power]
   OLD [[s5_none_q  <= s4_none_q ||]]
   NEW [[s5_none_q  <= (s4_none_q && s4_y_q[0]) ||]])
-mutant(pass_pending_forgets_the_answer QUICK FILE rtl/unit/shade/rc_pass_begin.sv TEST unit [pass][all]
+mutant(pass_pending_forgets_the_answer QUICK FILE rtl/unit/shade/pass/rc_pass_begin.sv TEST unit [pass][all]
   OLD [[(state_i.pending == rc_pkg::PendingAnswer && !found)]]
   NEW [[(state_i.pending == rc_pkg::PendingAnswer)]])
-mutant(pass_end_slack_comes_late FILE rtl/unit/shade/rc_pass_end.sv TEST unit [pass][interval]
+mutant(pass_end_slack_comes_late FILE rtl/unit/shade/pass/rc_pass_end.sv TEST unit [pass][interval]
   OLD [[  always_comb begin   // 3 (depth + 1), as a table: two additions before a comparison are long
     slack = '0;
     for (int i = 0; i < 1 << rc_pkg::DepthBits; i++)
@@ -101,14 +101,14 @@ mutant(pass_end_slack_comes_late FILE rtl/unit/shade/rc_pass_end.sv TEST unit [p
   end]]
   NEW [[  rc_path_register #(.Width(6), .Stages(Cut)) u_slack (
     .clk_i, .data_i(6'd3 * ({2'd0, begin_state_i.depth} + 6'd1)), .data_o(slack));]])
-mutant(side_in_the_plane_is_above FILE rtl/unit/shade/rc_normal_side.sv TEST unit [pass][all]
+mutant(side_in_the_plane_is_above FILE rtl/unit/shade/surface/rc_normal_side.sv TEST unit [pass][all]
   OLD [[&& sum != '0;]]
   NEW [[&& sum[ProductW:0] != '1;]])
-mutant(finish_contrast_itself_is_too_much FILE rtl/unit/shade/rc_finish.sv TEST torture
+mutant(finish_contrast_itself_is_too_much FILE rtl/unit/shade/pass/rc_finish.sv TEST torture
   "model and RTL agree under torture"
   OLD [[s1_apart <= contrast &&]]
   NEW [[s1_apart < contrast &&]])
-mutant(contexts_stack_half_as_deep FILE rtl/unit/shade/rc_contexts.sv TEST torture
+mutant(contexts_stack_half_as_deep FILE rtl/unit/shade/pass/rc_contexts.sv TEST torture
   "model and RTL agree under torture"
   OLD [[assign new_top_at = write_state_i.waiting - 4'd1;]]
   NEW [[assign new_top_at = (write_state_i.waiting - 4'd1) & 4'd3;]])
@@ -171,7 +171,7 @@ mutant(shared_products_wait_alike FILE rtl/fixed/rc_mul_shared.sv TEST unit [tri
   NEW [[.Stages(Own - 1)) u_early]])
 
 # ---- Random configurations are linted.
-mutant(lint_sees_an_unused_signal FILE rtl/unit/shade/rc_surf.sv TEST system
+mutant(lint_sees_an_unused_signal FILE rtl/unit/shade/surface/rc_surf.sv TEST system
   "the RTL of random configurations*"
   OLD [[logic signed [RoundW-1:0]  sum, sum_q, shifted;]]
   NEW [[logic signed [RoundW-1:0]  sum, sum_q, shifted, spare;]])

@@ -383,31 +383,32 @@ mutant(tex_hit_of_the_request_before FILE ${tex_unit} TEST unit ${tex_rtl_case}
 
 # ---- The RTL of shade.
 set(shade_rtl_case "the RTL's pass is the model's with textures")
-mutant(tex_path_second_and_smallest_swapped FILE rtl/unit/shade/rc_path_length.sv TEST unit [pass][path]
+mutant(tex_path_second_and_smallest_swapped FILE rtl/unit/shade/surface/rc_path_length.sv TEST unit
+  [pass][path]
   OLD [[{5'b0, second[M-1:3]}]]
   NEW [[{5'b0, shortest[M-1:3]}]])
-mutant(tex_path_second_is_the_third FILE rtl/unit/shade/rc_path_length.sv TEST unit [pass][path]
+mutant(tex_path_second_is_the_third FILE rtl/unit/shade/surface/rc_path_length.sv TEST unit [pass][path]
   OLD [[: smaller > size_z ? smaller : size_z;]]
   NEW [[: smaller;]])
-mutant(tex_path_without_a_sixteenth FILE rtl/unit/shade/rc_path_length.sv TEST unit [pass][path]
+mutant(tex_path_without_a_sixteenth FILE rtl/unit/shade/surface/rc_path_length.sv TEST unit [pass][path]
   OLD [[ + {6'b0, shortest[M-1:4]};]]
   NEW [[;]])
-mutant(tex_path_wraps FILE rtl/unit/shade/rc_path_length.sv TEST unit [pass][path]
+mutant(tex_path_wraps FILE rtl/unit/shade/surface/rc_path_length.sv TEST unit [pass][path]
   OLD [[!= '0 ? '1 : s2_sum[PathBits-1:0];]]
   NEW [[!= '0 ? s2_sum[PathBits-1:0] : s2_sum[PathBits-1:0];]])
-mutant(tex_path_goes_on_in_the_next_sample FILE rtl/unit/shade/rc_pass_end.sv TEST unit ${shade_rtl_case}
+mutant(tex_path_goes_on_in_the_next_sample FILE rtl/unit/shade/pass/rc_pass_end.sv TEST unit ${shade_rtl_case}
   OLD [[if (is_next)      textured.path       = '0;]]
   NEW [[;]])
-mutant(tex_path_of_a_waiting_ray_lost FILE rtl/unit/shade/rc_pass_end.sv TEST unit ${shade_rtl_case}
+mutant(tex_path_of_a_waiting_ray_lost FILE rtl/unit/shade/pass/rc_pass_end.sv TEST unit ${shade_rtl_case}
   OLD [[if (is_pop)       textured.path       = top_i.path;]]
   NEW [[if (is_pop && 1'b0) textured.path = top_i.path;]])
-mutant(tex_albedo_not_written FILE rtl/unit/shade/rc_pass_end.sv TEST unit ${shade_rtl_case}
+mutant(tex_albedo_not_written FILE rtl/unit/shade/pass/rc_pass_end.sv TEST unit ${shade_rtl_case}
   OLD [[surf_i, surf_i || is_texture, is_light};]]
   NEW [[surf_i, surf_i, is_light};]])
-mutant(tex_ambient_before_texture FILE rtl/unit/shade/rc_ambient.sv TEST unit ${shade_rtl_case}
+mutant(tex_ambient_before_texture FILE rtl/unit/shade/light/rc_ambient.sv TEST unit ${shade_rtl_case}
   OLD [[: s0_surface_i.record != '0 ? '0 :]]
   NEW [[: s0_surface_i.record != '0 && 1'b0 ? '0 :]])
-mutant(tex_texture_not_multiplied FILE rtl/unit/shade/rc_ambient.sv TEST unit ${shade_rtl_case}
+mutant(tex_texture_not_multiplied FILE rtl/unit/shade/light/rc_ambient.sv TEST unit ${shade_rtl_case}
   OLD [[s0_colour  = s0_texture_i ? tinted : plain;]]
   NEW [[s0_colour  = s0_texture_i && 1'b0 ? tinted : plain;]])
 
@@ -436,27 +437,28 @@ mutant(tex_tri_cutout_for_every_ray FILE rtl/unit/tri/rc_tri.sv TEST unit
   "tri of a chip that shades decides exactly and measures within its bound - Rtl<TriUnit>"
   OLD [[rc_pkg::HasTextures && in_any && in.prim_kind]]
   NEW [[rc_pkg::HasTextures && in.prim_kind]])
-mutant(tex_pass_light_after_the_next FILE rtl/unit/shade/rc_pass.sv TEST unit ${light_pass}
+mutant(tex_pass_light_after_the_next FILE rtl/unit/shade/pass/rc_pass.sv TEST unit ${light_pass}
   OLD [[= given.light - 7'd1;]]
   NEW [[= given.light;]])
-mutant(tex_pass_light_holes_without_end FILE rtl/unit/shade/rc_pass.sv TEST unit ${light_pass}
+mutant(tex_pass_light_holes_without_end FILE rtl/unit/shade/pass/rc_pass.sv TEST unit ${light_pass}
   OLD [[texel[3*ColourBits]
                      && given.light_holes != '1;]]
   NEW [[texel[3*ColourBits];]])
-mutant(tex_pass_light_holes_kept FILE rtl/unit/shade/rc_pass.sv TEST unit ${light_pass}
+mutant(tex_pass_light_holes_kept FILE rtl/unit/shade/pass/rc_pass.sv TEST unit ${light_pass}
   OLD [[end else if (!met_cutout) begin]]
   NEW [[end else if (1'b0) begin]])
-mutant(tex_pass_cutout_at_level_0 FILE rtl/unit/shade/rc_pass_end.sv TEST unit ${light_pass}
+mutant(tex_pass_cutout_at_level_0 FILE rtl/unit/shade/pass/rc_pass_end.sv TEST unit ${light_pass}
   OLD [[request.path   = surf_i]]
   NEW [[request.path   = cutout_i ? '0 : surf_i]])
-mutant(tex_pass_cutout_with_the_scale_of_the_pass_before FILE rtl/unit/shade/rc_pass.sv TEST unit
+mutant(tex_pass_cutout_with_the_scale_of_the_pass_before FILE rtl/unit/shade/pass/rc_pass.sv TEST unit
   "the RTL's pass is the model's with textures and instances*"
   OLD [[.enter_i(s0_transform || s0_cutout),]]
   NEW [[.enter_i(s0_transform),]])
-mutant(tex_pass_cutout_handles_its_event FILE rtl/unit/shade/rc_pass_end.sv TEST unit ${light_pass}
+mutant(tex_pass_cutout_handles_its_event FILE rtl/unit/shade/pass/rc_pass_end.sv TEST unit ${light_pass}
   OLD [[.data_i(cutout_i ? '0 : events),]]
   NEW [[.data_i(events),]])
-mutant(tex_pass_ray_through_a_hole_ignores_none FILE rtl/unit/shade/rc_pass_end.sv TEST unit ${light_pass}
+mutant(tex_pass_ray_through_a_hole_ignores_none FILE rtl/unit/shade/pass/rc_pass_end.sv TEST unit
+  ${light_pass}
   OLD [[is_light ? begin_state_i.light_holes : '0;]]
   NEW [['0;]])
 mutant(tex_address_path_of_0_has_a_level FILE ${tex_address} TEST unit ${tex_rtl_case}
@@ -464,7 +466,7 @@ mutant(tex_address_path_of_0_has_a_level FILE ${tex_address} TEST unit ${tex_rtl
   NEW [[s0.last_level;]])
 
 # ---- Holes in the RTL of shade.
-set(pass_end rtl/unit/shade/rc_pass_end.sv)
+set(pass_end rtl/unit/shade/pass/rc_pass_end.sv)
 mutant(tex_holes_not_counted QUICK FILE ${pass_end} TEST unit [shade][hole]
   OLD [[if (goes_on)      textured.holes      = begin_state_i.holes + 1'b1;]]
   NEW [[;]])
@@ -489,16 +491,16 @@ mutant(tex_hole_has_ambient_light FILE ${pass_end} TEST unit ${shade_rtl_case}
 mutant(tex_hole_from_the_origin_of_entry FILE ${pass_end} TEST unit ${shade_rtl_case}
   OLD [=[: far ? entry_i[k*OriginWidth +: OriginWidth]]=]
   NEW [=[: far || goes_on ? entry_i[k*OriginWidth +: OriginWidth]]=])
-mutant(tex_hole_in_the_direction_of_a_bounce FILE rtl/unit/shade/rc_pass.sv TEST unit ${shade_rtl_case}
+mutant(tex_hole_in_the_direction_of_a_bounce FILE rtl/unit/shade/pass/rc_pass.sv TEST unit ${shade_rtl_case}
   OLD [[: texture_q[15] ? RayDirBits'(]]
   NEW [[: texture_q[15] && 1'b0 ? RayDirBits'(]])
-mutant(tex_hole_of_another_hit FILE rtl/unit/shade/rc_pass.sv TEST unit
+mutant(tex_hole_of_another_hit FILE rtl/unit/shade/pass/rc_pass.sv TEST unit
   "the RTL's pass is the model's with textures and instances*"
   OLD [[.enter_i(s0_texture), .leave_i(texture_at[Out]),
       .data_i(texel[3*ColourBits])]]
   NEW [[.enter_i(s0_texture), .leave_i(tone_at[Out]),
       .data_i(texel[3*ColourBits])]])
-mutant(tex_pixel_keeps_the_hit_behind_a_hole FILE rtl/unit/shade/rc_pass_begin.sv TEST unit [shade][hole]
+mutant(tex_pixel_keeps_the_hit_behind_a_hole FILE rtl/unit/shade/pass/rc_pass_begin.sv TEST unit [shade][hole]
   OLD [[assign first = state_i.holes == '0;]]
   NEW [[assign first = 1'b1;]])
 mutant(tex_request_without_scale FILE ${pass_end} TEST unit
@@ -569,27 +571,29 @@ mutant(tex_plane_without_ends FILE ${tex_address} TEST unit ${tex_rtl_case}
 mutant(tex_plane_sum_too_narrow FILE ${tex_address} TEST unit ${tex_rtl_case}
   OLD [[(Planes ? rc_pkg::PlaneBits : 0)]]
   NEW [[(Planes ? rc_pkg::PlaneBits - 4 : 0)]])
-mutant(tex_octahedral_not_folded QUICK FILE rtl/unit/shade/rc_octahedral.sv TEST unit ${shade_rtl_case}
+mutant(tex_octahedral_not_folded QUICK FILE rtl/unit/shade/surface/rc_octahedral.sv TEST unit
+  ${shade_rtl_case}
   OLD [[below[1] ? Half - q : p;]]
   NEW [[below[1] ? Half - p : p;]])
-mutant(tex_octahedral_signs_of_the_next_pass FILE rtl/unit/shade/rc_octahedral.sv TEST unit ${shade_rtl_case}
+mutant(tex_octahedral_signs_of_the_next_pass FILE rtl/unit/shade/surface/rc_octahedral.sv TEST unit
+  ${shade_rtl_case}
   OLD [[.Width(3), .Stages(Steps)) u_below (
     .clk_i, .enable_i({Steps{1'b1}}),]]
   NEW [[.Width(3), .Stages(Steps - 1)) u_below (
     .clk_i, .enable_i({(Steps-1){1'b1}}),]])
-mutant(tex_octahedral_without_one FILE rtl/unit/shade/rc_octahedral.sv TEST unit ${shade_rtl_case}
+mutant(tex_octahedral_without_one FILE rtl/unit/shade/surface/rc_octahedral.sv TEST unit ${shade_rtl_case}
   OLD [[+ Width'(1);]]
   NEW [[+ Width'(0);]])
-mutant(tex_octahedral_normal_inwards FILE rtl/unit/shade/rc_pass.sv TEST unit ${shade_rtl_case}
+mutant(tex_octahedral_normal_inwards FILE rtl/unit/shade/pass/rc_pass.sv TEST unit ${shade_rtl_case}
   OLD [[.data_i(known.is_inside),]]
   NEW [[.data_i(known.is_inside && 1'b0),]])
 mutant(tex_sphere_without_its_place FILE ${pass_end} TEST unit ${shade_rtl_case}
   OLD [[request.v = begin_state_i.is_round && !cutout_i ? round_v_i : v_i;]]
   NEW [[request.v = begin_state_i.is_round && 1'b0 ? round_v_i : v_i;]])
-mutant(tex_far_path_never FILE rtl/unit/shade/rc_pass.sv TEST unit ${shade_rtl_case}
+mutant(tex_far_path_never FILE rtl/unit/shade/pass/rc_pass.sv TEST unit ${shade_rtl_case}
   OLD [[end_far ? far_path : near_path;]]
   NEW [[end_far && 1'b0 ? far_path : near_path;]])
-mutant(tex_far_path_without_a_sixteenth FILE rtl/unit/shade/rc_far_path.sv TEST unit ${shade_rtl_case}
+mutant(tex_far_path_without_a_sixteenth FILE rtl/unit/shade/surface/rc_far_path.sv TEST unit ${shade_rtl_case}
   OLD [[+ LengthW'(shortest[SizeW-1:4]);]]
   NEW [[;]])
 
@@ -601,14 +605,14 @@ mutant(tex_list_counts_the_holes_of_the_ray_before FILE rtl/unit/list/rc_list.sv
 mutant(tex_list_reach_ends_at_a_hole FILE rtl/unit/list/rc_list.sv TEST torture ${torture_light}
   OLD [[.write_i(s1_closer), .write_ray_i(s1_ray), .write_t_i(s1_rsp_t)]]
   NEW [[.write_i(s1_hits), .write_ray_i(s1_ray), .write_t_i(s1_rsp_t)]])
-mutant(tex_light_passes_64_holes FILE rtl/unit/shade/rc_pass.sv TEST torture ${torture_light}
+mutant(tex_light_passes_64_holes FILE rtl/unit/shade/pass/rc_pass.sv TEST torture ${torture_light}
   OLD [[&& given.light_holes != '1;]]
   NEW [[;]])
-mutant(tex_light_keeps_the_holes_of_the_light_before FILE rtl/unit/shade/rc_pass.sv TEST torture
+mutant(tex_light_keeps_the_holes_of_the_light_before FILE rtl/unit/shade/pass/rc_pass.sv TEST torture
   ${torture_light}
   OLD [[end else if (!met_cutout) begin]]
   NEW [[end else if (!met_cutout && 1'b0) begin]])
-mutant(tex_cutout_with_the_texture_of_the_surface FILE rtl/unit/shade/rc_pass_begin.sv TEST torture
+mutant(tex_cutout_with_the_texture_of_the_surface FILE rtl/unit/shade/pass/rc_pass_begin.sv TEST torture
   ${torture_light}
   OLD [[if (cutout_i) known_texture.record]]
   NEW [[if (cutout_i && 1'b0) known_texture.record]])

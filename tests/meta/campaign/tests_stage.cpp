@@ -43,7 +43,7 @@ constexpr Fitting fitting[] = {
     {"rtl/fixed/", "tri"},
     {"rtl/unit/xform/", "xform"},
     {"rtl/unit/shade/rc_shade", "shade"},
-    {"rtl/unit/shade/rc_contexts", "shade"},
+    {"rtl/unit/shade/pass/rc_contexts", "shade"},
     {"rtl/unit/shade/", "pass"},
     {"rtl/unit/tex/", "tex"},
     {"rtl/cells/delays/rc_delay_ram", "pass"},
