@@ -1,6 +1,6 @@
 // Products of several pairs that stay stable for Every cycles, as a pass of shade does in each
-// stage (rtl/unit/shade/pass/rc_pass.sv). As few multipliers as possible compute them, one after the
-// other.
+// stage (rtl/unit/shade/pass/rc_pass.sv). As few multipliers as possible compute them, one after
+// the other.
 //
 // phase_i[p] is high in cycle p of the Every cycles. All products are ready in the last cycle. If
 // Every is 1, each product has a multiplier without latency.
