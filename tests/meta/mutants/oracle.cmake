@@ -1,4 +1,4 @@
-# Faults of the judges themselves: oracles, stages of causes, and reference tracer. mutants_rtl.cmake explains
+# Faults of the judges themselves: oracles, stages of causes, and reference tracer. rtl.cmake explains
 # a row.
 
 # ---- The oracle of one level.

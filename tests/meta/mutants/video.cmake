@@ -1,5 +1,5 @@
 # Faults of the board's video: scan-out, pixel writer, DVI output, their models, and the screen that judges
-# them. mutants_rtl.cmake explains a row.
+# them. rtl.cmake explains a row.
 
 # ---- Scan-out: what is requested when, and which pixel is where.
 set(scan_out rtl/board/video/rc_scan_out.sv)

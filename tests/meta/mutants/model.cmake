@@ -1,4 +1,4 @@
-# Faults of the model: units, memory, scene compilation, and the machine in time. mutants_rtl.cmake explains a
+# Faults of the model: units, memory, scene compilation, and the machine in time. rtl.cmake explains a
 # row.
 
 # ---- Triangles: no tolerance, the first of equal hits, each edge exactly once.

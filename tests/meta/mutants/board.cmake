@@ -1,5 +1,5 @@
 # Faults of the board as a whole: frame control, conversion of pixels, wiring, and the model of its memory.
-# mutants_rtl.cmake explains a row.
+# rtl.cmake explains a row.
 
 # ---- Frame control.
 set(frame_control rtl/board/rc_frame_control.sv)

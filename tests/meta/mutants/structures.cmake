@@ -1,4 +1,4 @@
-# Faults of the structures other than the box tree. mutants_rtl.cmake explains a row.
+# Faults of the structures other than the box tree. rtl.cmake explains a row.
 
 # ---- Globes: rounded outward, in the compiler and in the unit.
 mutant(globe_radius_rounded_down FILE model/engine/spheres/encode.cpp TEST compile

@@ -1,4 +1,4 @@
-# Faults of the searches (fit, stress, sweeps, balance) and in reading a routed chip. mutants_rtl.cmake
+# Faults of the searches (fit, stress, sweeps, balance) and in reading a routed chip. rtl.cmake
 # explains a row.
 
 # ---- fit: intervals that are too small, and a search that stops early.

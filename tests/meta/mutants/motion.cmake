@@ -1,4 +1,4 @@
-# Faults of instances, films and deforming meshes. mutants_rtl.cmake explains a row.
+# Faults of instances, films and deforming meshes. rtl.cmake explains a row.
 
 # ---- Two levels: the compiler. Its boxes hold every rounded ray.
 mutant(upper_globes_hold_no_upper_corner FILE model/compile/levels/upper.cpp TEST compile [levels]

@@ -1,4 +1,4 @@
-# Faults of observers, pages, stories and comparisons, and of the page of a divergence. mutants_rtl.cmake
+# Faults of observers, pages, stories and comparisons, and of the page of a divergence. rtl.cmake
 # explains a row. With TEST cli the fault is in the program itself.
 
 # ---- Observers, timelines and waveforms.

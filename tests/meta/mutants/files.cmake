@@ -1,4 +1,4 @@
-# Faults in reading and writing files, and in what the system does meanwhile. mutants_rtl.cmake explains a
+# Faults in reading and writing files, and in what the system does meanwhile. rtl.cmake explains a
 # row.
 
 # ---- Input of any size and any bytes.

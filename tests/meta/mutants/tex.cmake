@@ -1,5 +1,5 @@
 # Faults of textures: unit tex in model and RTL, their part of unit shade, and their memory image.
-# mutants_rtl.cmake explains a row.
+# rtl.cmake explains a row.
 
 # ---- The model's address of texels.
 set(tex_model_case "tex finds and filters the texels of every hit exactly - TexModel")

@@ -1,5 +1,5 @@
 # Faults that the tests must notice: the board's SDRAM controller, the arbiter of its clients, their models,
-# and the behavioural SDRAM. mutants_rtl.cmake explains a row.
+# and the behavioural SDRAM. rtl.cmake explains a row.
 
 # ---- The controller: order of commands, gates, tags, masks.
 mutant(sdram_turns_without_an_idle_clock QUICK FILE rtl/board/memory/rc_sdram.sv TEST board

@@ -1,6 +1,6 @@
 # Faults of rules. Model, host and judge share a rule, so each row changes the rule for all three. Then the
 # judge accepts the frame, and only the reference, which has a rule of its own, can report a bug
-# (sim/judge/cause/finished.hpp). `rayclock simulate` alone must do so, as in mutants_judge.cmake.
+# (sim/judge/cause/finished.hpp). `rayclock simulate` alone must do so, as in judge.cmake.
 set(turned "tests/system/scenes/octa_turned.json --depth 1 --set levels=2 --size 80x60")
 
 # ---- Where things lie: host and judge take points from the same lattice.

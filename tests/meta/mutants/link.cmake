@@ -1,4 +1,4 @@
-# Faults of the board's host link, in the RTL and at the host's end. mutants_rtl.cmake explains a row.
+# Faults of the board's host link, in the RTL and at the host's end. rtl.cmake explains a row.
 
 # ---- UART.
 mutant(uart_samples_at_the_edges FILE rtl/board/link/rc_uart_rx.sv TEST board [uart]

@@ -1,6 +1,6 @@
 # Faults of the model that `rayclock simulate` alone must report as bugs, without RTL and without a golden
 # picture. TEST simulate names scenes with their options, separated by |. A picture has 48x36 pixels unless an
-# option says otherwise. docs/proofs/who-checks-the-rules.md lists the rules. mutants_rtl.cmake explains
+# option says otherwise. docs/proofs/who-checks-the-rules.md lists the rules. rtl.cmake explains
 # the rest of a row.
 
 set(all_scenes "spheres --depth 4 | mirrors --depth 3")
