@@ -132,7 +132,7 @@ mutant(model_pixels_youngest_goes_first FILE model/board/pixel_writer.cpp TEST b
 mutant(model_pixels_write_of_31_beats QUICK FILE model/board/pixel_writer.cpp TEST board [pixels]
   OLD [[if (beats_ < beats_of_line) break;]]
   NEW [[if (beats_ < beats_of_line - 1) break;]])
-mutant(scan_formula_one_cycle_more FILE model/board/scan_out.hpp WITH tests/board/scan_out_test.cpp
+mutant(scan_formula_one_cycle_more FILE model/board/scan_out.hpp WITH tests/board/video/scan_out_test.cpp
   model/board/scan_out.cpp TEST board "the slowest memory*"
   OLD [[(std::uint64_t(pixel_khz) * ((picture.width + 3) / 4)));]]
   NEW [[(std::uint64_t(pixel_khz) * ((picture.width + 3) / 4))) + 1;]])

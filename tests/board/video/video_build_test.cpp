@@ -1,6 +1,6 @@
 // Builds the RTL that the tests of the board's video load.
 #include "tests/support/machine/build_all.hpp"
-#include "tests/board/video_dut.hpp"
+#include "tests/board/video/video_dut.hpp"
 #include <catch2/catch.hpp>
 
 using namespace rayclock;

@@ -1,6 +1,6 @@
 // rc_board_memory and its model in every cycle, with a behavioural SDRAM: each client gets its own data, in
 // order, and the host is served under full load.
-#include "tests/board/sdram_world.hpp"
+#include "tests/board/memory/sdram_world.hpp"
 #include "model/board/memory_clients.hpp"
 #include "tests/support/machine/build_all.hpp"
 

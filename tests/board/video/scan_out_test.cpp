@@ -1,7 +1,7 @@
 // Scan-out: model and RTL in every cycle, pictures that change in the blank only, and underruns.
 #include <vector>
 
-#include "tests/board/video_dut.hpp"
+#include "tests/board/video/video_dut.hpp"
 #include <catch2/catch.hpp>
 
 namespace scan_out_test {

@@ -11,7 +11,7 @@
 
 #include "sim/board/port.hpp"
 #include "sim/files/scratch.hpp"
-#include "tests/board/link_board.hpp"
+#include "tests/board/link/link_board.hpp"
 #include <catch2/catch.hpp>
 
 using namespace rayclock;

@@ -2,7 +2,7 @@
 // clock before it, and controllers with one wrong gate.
 #include <functional>
 
-#include "tests/board/sdram_world.hpp"
+#include "tests/board/memory/sdram_world.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

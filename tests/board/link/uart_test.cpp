@@ -4,7 +4,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "tests/board/link_board.hpp"
+#include "tests/board/link/link_board.hpp"
 #include "sim/board/serial_line.hpp"
 #include "tests/support/machine/build_all.hpp"
 #include <catch2/catch.hpp>

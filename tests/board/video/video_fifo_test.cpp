@@ -1,7 +1,7 @@
 // The queue between the chip's clock and the pixel clock alone.
 #include <vector>
 
-#include "tests/board/video_dut.hpp"
+#include "tests/board/video/video_dut.hpp"
 #include <catch2/catch.hpp>
 
 namespace video_fifo_test {

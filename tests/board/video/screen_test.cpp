@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <map>
 
-#include "tests/board/video_dut.hpp"
+#include "tests/board/video/video_dut.hpp"
 #include <catch2/catch.hpp>
 
 namespace screen_test {

@@ -1,6 +1,6 @@
 // rc_sdram and its model in every cycle, with a behavioural SDRAM that checks the rules of the data sheet.
 // Bandwidth and latency are compared with formulas of the gates.
-#include "tests/board/sdram_world.hpp"
+#include "tests/board/memory/sdram_world.hpp"
 #include "tests/support/machine/build_all.hpp"
 
 using namespace rayclock;

@@ -3,7 +3,7 @@
 #include <map>
 #include <random>
 
-#include "tests/board/video_dut.hpp"
+#include "tests/board/video/video_dut.hpp"
 #include <catch2/catch.hpp>
 
 namespace pixel_writer_test {
