@@ -5,7 +5,7 @@
 
 #include "tests/cli/browser.hpp"
 
-namespace rayclock::test::pages_test {
+namespace rayclock::test::sweep_compare_explain_pages_test {
 
 using namespace rayclock::test;
 using nlohmann::json;
@@ -247,4 +247,4 @@ TEST_CASE("every page opens in under a second", "[slow]") {
     }
 }
 
-}   // namespace rayclock::test::pages_test
+}   // namespace rayclock::test::sweep_compare_explain_pages_test

@@ -11,7 +11,7 @@
 #include "model/base/quote.hpp"
 #include "tests/support/scenes/scene_files.hpp"
 
-namespace rayclock::test::hostile_test {
+namespace rayclock::test::proportional_cost_test {
 
 using namespace rayclock;
 using namespace rayclock::test;
@@ -412,4 +412,4 @@ TEST_CASE("COLLADA that repeats itself is read once, or refused") {
     check_says(quick(folder.write("a.dae", text)), {"a.dae: line 1", "phong with more than 100 elements"});
 }
 
-}   // namespace rayclock::test::hostile_test
+}   // namespace rayclock::test::proportional_cost_test

@@ -8,7 +8,7 @@
 #include "sim/files/image/image.hpp"
 #include "tests/support/scenes/scene_files.hpp"
 
-namespace rayclock::test::other_formats_test {
+namespace rayclock::test::off_3ds_dae_gzip_test {
 
 using namespace rayclock;
 using namespace rayclock::test;
@@ -308,4 +308,4 @@ TEST_CASE("every prefix and every changed byte of the other formats loads or is 
     }
 }
 
-}   // namespace rayclock::test::other_formats_test
+}   // namespace rayclock::test::off_3ds_dae_gzip_test

@@ -9,7 +9,7 @@
 
 #include "tests/cli/program.hpp"
 
-namespace rayclock::test::rays_test {
+namespace rayclock::test::ray_streams_test {
 
 using namespace rayclock::test;
 using nlohmann::json;
@@ -296,4 +296,4 @@ TEST_CASE("options that a stream cannot use are refused", "[rays]") {
           std::string::npos);
 }
 
-}   // namespace rayclock::test::rays_test
+}   // namespace rayclock::test::ray_streams_test

@@ -5,7 +5,7 @@
 
 #include "tests/support/scenes/scene_files.hpp"
 
-namespace rayclock::test::bad_test {
+namespace rayclock::test::refused_files_test {
 
 using namespace rayclock;
 using namespace rayclock::test;
@@ -226,4 +226,4 @@ TEST_CASE("malformed glTF files are refused") {
               ": buffers[0].uri asks for it)");
 }
 
-}   // namespace rayclock::test::bad_test
+}   // namespace rayclock::test::refused_files_test

@@ -14,7 +14,7 @@
 #include "tests/support/geometry/exact.hpp"
 #include "tests/support/machine/frames.hpp"
 
-namespace rayclock::test::wide_test {
+namespace rayclock::test::extreme_cameras_test {
 
 using namespace rayclock;
 using namespace rayclock::test;
@@ -222,4 +222,4 @@ TEST_CASE("an eye in a narrow gap is exact in every pixel, and visits explain th
     }
 }
 
-}   // namespace rayclock::test::wide_test
+}   // namespace rayclock::test::extreme_cameras_test

@@ -8,7 +8,7 @@
 
 #include "tests/support/scenes/scene_files.hpp"
 
-namespace rayclock::test::repair_test {
+namespace rayclock::test::repaired_files_test {
 
 using namespace rayclock;
 using namespace rayclock::test;
@@ -310,4 +310,4 @@ TEST_CASE("stl: unknown statements and excess words are skipped and reported") {
                           "1 line with more than three coordinates; the rest is skipped (line 7, '7')"});
 }
 
-}   // namespace rayclock::test::repair_test
+}   // namespace rayclock::test::repaired_files_test
