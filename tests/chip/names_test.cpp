@@ -10,7 +10,7 @@
 #include "sim/run/rtl/sources.hpp"
 #include "sim/silicon/synth/yosys.hpp"
 #include "sim/silicon/chip/harness.hpp"
-#include "sim/silicon/chip/run.hpp"
+#include "sim/silicon/chip/place_and_route.hpp"
 #include "tests/image/folder.hpp"
 
 using namespace rayclock;

@@ -12,7 +12,7 @@
 #include "sim/judge/cause/finished.hpp"
 #include "sim/judge/paths/answer.hpp"
 #include "sim/judge/paths/camera.hpp"
-#include "sim/judge/paths/picture.hpp"
+#include "sim/judge/paths/judge_picture.hpp"
 #include "sim/judge/paths/placed.hpp"
 #include "tests/compile/mixed.hpp"
 #include "tests/compile/solids.hpp"

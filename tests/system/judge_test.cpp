@@ -3,7 +3,7 @@
 
 #include "model/compile/surfaces.hpp"
 #include "sim/judge/reference/reference.hpp"
-#include "sim/judge/paths/picture.hpp"
+#include "sim/judge/paths/judge_picture.hpp"
 #include "sim/load/load.hpp"
 #include "tests/support/machine/frames.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "model/compile/surfaces.hpp"
 #include "sim/judge/reference/reference.hpp"
-#include "sim/judge/paths/picture.hpp"
+#include "sim/judge/paths/judge_picture.hpp"
 #include "sim/view/report/json.hpp"
 #include "tests/support/machine/frames.hpp"
 

@@ -43,7 +43,8 @@ mutant(study_moves_the_record FILE sim/study/textures/block.cpp TEST cli "the pa
 mutant(sweep_believes_a_broken_entry FILE sim/files/cache/results.cpp TEST sweep "an entry*"
   OLD [[entry["check"] != hash_text(entry["value"].dump())]]
   NEW [[false]])
-mutant(sweep_takes_one_clock_for_another FILE sim/explore/sweep/run.cpp TEST sweep "another parameter*"
+mutant(sweep_takes_one_clock_for_another FILE sim/explore/sweep/evaluate_points.cpp TEST sweep
+  "another parameter*"
   OLD [[scene_key_, r.point.khz, timing_of]]
   NEW [[scene_key_, 0, timing_of]])
 mutant(shard_drops_a_point FILE sim/explore/sweep/shard.cpp TEST cli "the parts of a sweep*"
@@ -70,10 +71,12 @@ mutant(chip_way_from_a_pad_counts FILE sim/silicon/chip/timing.cpp TEST chip "de
 mutant(chip_source_is_the_outermost_instance FILE sim/silicon/chip/cells.cpp TEST chip "the source of a cell*"
   OLD [[!line.empty()) found = line;]]
   NEW [[!line.empty() && found.empty()) found = line;]])
-mutant(chip_full_device_is_too_small FILE sim/silicon/chip/run.cpp TEST chip "the message about a*"
+mutant(chip_full_device_is_too_small FILE sim/silicon/chip/place_and_route.cpp TEST chip
+  "the message about a*"
   OLD [[if (needs <= has) continue;]]
   NEW [[if (needs < has) continue;]])
-mutant(chip_mixed_is_kept_as_static FILE sim/silicon/chip/run.cpp TEST cli "the report of a chip that*"
+mutant(chip_mixed_is_kept_as_static FILE sim/silicon/chip/place_and_route.cpp TEST cli
+  "the report of a chip that*"
   OLD [[last == first ? "" :]]
   NEW [[true ? "" :]])
 mutant(chip_anchors_take_a_site_twice FILE sim/silicon/chip/anchor.cpp TEST chip "anchors are the sites*"

@@ -87,7 +87,7 @@ mutant(observer_sees_no_request_for_records FILE sim/view/observe/observer.cpp T
   OLD [[        case Link::stream_miss: return asked_memory(p, 2);]]
   NEW [[            return asked_memory(p, 2);
         case Link::stream_miss: return;]])
-mutant(sweep_takes_one_stream_for_another FILE sim/explore/sweep/run.cpp TEST cli
+mutant(sweep_takes_one_stream_for_another FILE sim/explore/sweep/evaluate_points.cpp TEST cli
   "every point of a sweep with a stream*"
   OLD [[if (plan.stream) scene_key_ +=]]
   NEW [[if (plan.stream && plan.threads > 1000) scene_key_ +=]])

@@ -1,5 +1,5 @@
 // Runs batches of a stress plan on all cores and saves the state.
-#include "sim/explore/stress/run.hpp"
+#include "sim/explore/stress/stress_batches.hpp"
 
 #include <algorithm>
 #include <ctime>

@@ -1,5 +1,5 @@
 // Renders and times the points of a sweep in parallel, with a cache.
-#include "sim/explore/sweep/run.hpp"
+#include "sim/explore/sweep/evaluate_points.hpp"
 
 #include <algorithm>
 #include <functional>

@@ -1,5 +1,5 @@
 // Simulates the machine at all clocks, memories and numbers of pipelines.
-#include "sim/study/gigahertz/measure.hpp"
+#include "sim/study/gigahertz/measure_gigahertz.hpp"
 
 #include <mutex>
 

@@ -1,5 +1,5 @@
 // Draws and judges the frames of the study, and measures each kind of work.
-#include "sim/study/scale/measure.hpp"
+#include "sim/study/scale/measure_scale.hpp"
 
 #include <cmath>
 #include <fstream>

@@ -1,5 +1,5 @@
 // Draws the placement of a chip.
-#include "sim/silicon/chip/picture.hpp"
+#include "sim/silicon/chip/floorplan_picture.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,5 +1,5 @@
 // Draws each scene with each filter and coding on the model, and with each filter on the reference.
-#include "sim/study/textures/measure.hpp"
+#include "sim/study/textures/measure_textures.hpp"
 
 #include <algorithm>
 #include <bit>

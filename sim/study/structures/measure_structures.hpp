@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/run/frame/frame.hpp"
-#include "sim/silicon/area/run.hpp"
+#include "sim/silicon/area/synthesise_units.hpp"
 #include "sim/view/report/accounts.hpp"
 #include "sim/view/report/limits.hpp"
 

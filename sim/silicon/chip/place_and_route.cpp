@@ -1,5 +1,5 @@
 // Runs the steps from a configuration to routed clocks, and caches the result of each step.
-#include "sim/silicon/chip/run.hpp"
+#include "sim/silicon/chip/place_and_route.hpp"
 
 #include <algorithm>
 #include <fstream>

@@ -1,5 +1,5 @@
 // Finds the distinct units of all variants and synthesises those that the cache lacks.
-#include "sim/silicon/area/run.hpp"
+#include "sim/silicon/area/synthesise_units.hpp"
 
 #include <algorithm>
 #include <mutex>

@@ -1,5 +1,5 @@
 // Compiles, renders and judges scenes with each structure.
-#include "sim/study/structures/measure.hpp"
+#include "sim/study/structures/measure_structures.hpp"
 
 #include <algorithm>
 #include <ctime>

@@ -1,5 +1,5 @@
 // Judges all pixels of a picture in parallel.
-#include "sim/judge/paths/picture.hpp"
+#include "sim/judge/paths/judge_picture.hpp"
 
 #include <algorithm>
 #include <optional>
