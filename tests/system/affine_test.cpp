@@ -5,7 +5,7 @@
 #include "model/compile/levels/levels.hpp"
 #include "model/base/error.hpp"
 #include "model/unit/tri/primitive.hpp"
-#include "sim/judge/oracle/exact.hpp"
+#include "tests/support/oracle/fractions.hpp"
 #include "sim/judge/oracle/placed.hpp"
 #include "sim/judge/oracle/surface.hpp"
 #include "model/unit/raygen/raygen.hpp"

@@ -7,7 +7,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "sim/judge/oracle/exact.hpp"
+#include "tests/support/oracle/fractions.hpp"
 #include "sim/judge/oracle/placed.hpp"
 #include "tests/support/cases/draw.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sim/judge/oracle/exact.hpp"
+#include "tests/support/oracle/fractions.hpp"
 #include "tests/support/cases/draw.hpp"
 #include "tests/support/geometry/exact.hpp"
 

@@ -2,7 +2,7 @@
 # a row.
 
 # ---- The oracle of one level.
-mutant(oracle_fraction_by_boost FILE sim/judge/oracle/exact.hpp
+mutant(oracle_fraction_by_boost FILE tests/support/oracle/fractions.hpp
   WITH tests/unit/judge/fractions_test.cpp TEST unit
   "a fraction and a whole number*"
   OLD [[eval_divide(quotient, cpp_rational_backend(b));]]

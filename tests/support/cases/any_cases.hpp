@@ -3,7 +3,7 @@
 // answers by exact geometry.
 #include "model/unit/tri/test_primitive.hpp"
 #include "model/unit/tri/tri.hpp"
-#include "sim/judge/oracle/ball.hpp"
+#include "tests/support/oracle/ball.hpp"
 #include "tests/support/world/traffic.hpp"
 
 namespace rayclock::test {

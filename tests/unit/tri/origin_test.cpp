@@ -3,7 +3,7 @@
 
 #include "model/unit/tri/origin.hpp"
 #include "model/unit/tri/tri.hpp"
-#include "sim/judge/oracle/exact.hpp"
+#include "tests/support/oracle/fractions.hpp"
 #include "tests/support/cases/draw.hpp"
 
 using namespace rayclock;

@@ -1,5 +1,5 @@
 // tri at small widths, for every ray and triangle of the lattice. Judged by signed volumes in plain integers.
-// These are judged by the fractions of exact.hpp.
+// These are judged by the fractions of fractions.hpp.
 #include <set>
 
 #include <tbb/parallel_for.h>

@@ -1,11 +1,9 @@
-// rayclock scenes, config, rtl: list scenes, print a configuration, build its RTL.
+// rayclock scenes: lists the built-in scenes.
 #include <fmt/format.h>
 
 #include "model/scene/builtin.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
-#include "sim/files/process/interrupt.hpp"
-#include "sim/run/rtl/builder.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/tables.hpp"
 #include "sim/view/report/text.hpp"
@@ -50,45 +48,10 @@ int list_scenes(const SceneListOptions& o) {
     return 0;
 }
 
-void declare_config(Parser& parser, ConfigChoice& config) {
-    parser
-        .option("NAME", config.name,
-                "default, small, wide, saarcor, rpu, ulx3s, ulx3s-shaded, ulx3s-board, or a JSON file")
-        .with_default();
-    parser.option("--set", config.set,
-                  "key=value: change one parameter of the configuration; may be repeated");
-}
-
-int print_config(const ConfigChoice& config) {
-    fmt::print("{}\n", config_json_object(load_config(config)).dump(2));
-    return 0;
-}
-
-int build_now(const ConfigChoice& choice) {
-    const Config config = load_config(choice);
-    check_rtl(config);
-    const RtlBuild build = build_rtl(config);
-    if (build.was_cached)
-        fmt::print("{}: built before, {}\n", config.name, build.library.string());
-    else
-        fmt::print("{}: built in {:.1f} s, {}\n", config.name, build.seconds, build.library.string());
-    return 0;
-}
-
 }   // namespace
 
 Command scenes_command() {
     return command("scenes", "list the built-in scenes", "rayclock scenes", declare_scenes, list_scenes);
-}
-
-Command config_command() {
-    return command("config", "print a configuration with every parameter",
-                   "rayclock config small > mine.json", declare_config, print_config);
-}
-
-Command rtl_command() {
-    return command("rtl", "build the RTL of a configuration, and print its place in the cache",
-                   "rayclock rtl --config small", config_options, build_now);
 }
 
 }   // namespace rayclock

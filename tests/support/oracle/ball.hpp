@@ -2,8 +2,8 @@
 // Exact truth about rays and spheres and about rays and planes, in fractions of any size. It follows from the
 // geometry alone: on a sphere, the distance from the centre has a certain square. The value of that square at
 // three points decides everything: both ends of the path and the point nearest to the centre. No square root
-// is taken. Needs Boost; only tests use it.
-#include "sim/judge/oracle/exact.hpp"
+// is taken.
+#include "tests/support/oracle/fractions.hpp"
 
 namespace rayclock::oracle {
 

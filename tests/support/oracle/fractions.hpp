@@ -1,7 +1,7 @@
 #pragma once
 // Exact truth for the arithmetic units, in integers and fractions of any size. It follows from the geometry
 // alone. It shares no formula with the units that it judges, and assumes only the rounding that they promise.
-// Needs Boost; only tests use it.
+// Needs Boost, so no part of the program includes it.
 #include <array>
 #include <optional>
 
