@@ -6,7 +6,7 @@ namespace rayclock {
 
 /// The number of stages of each pipeline in the chip: the single source for model and RTL. A relaxed chip has
 /// few stages. A fast chip has a register wherever a path would be longer than one addition and a choice
-/// (`rtl/cells/delays/rc_path_register.sv`), and three in every product (`rtl/fixed/rc_mul.sv`).
+/// (`rtl/cells/delays/rc_path_register.sv`), and three in every product (`rtl/fixed/multipliers/rc_mul.sv`).
 struct Stages {
     int cut = 0;   ///< stages of rc_path_register
     /// Stages of additional registers between units of a chip that shades, which fills the device.
@@ -29,10 +29,10 @@ struct Stages {
     /// as many as in treelet.
     int crossing = 0;
     // Products and quotients that share a multiplier or divider in turn, if tri accepts a primitive only
-    // every few cycles (rtl/fixed/rc_mul_shared.sv): of three cross products (cross_share), of the four sums
-    // of products that are edge functions (dot_share), of a pair (pair_share). Each product of a pair may be
-    // made in two parts (pair_parts, rtl/fixed/rc_mul_parts.sv). `pair` is a pair's latency without the
-    // stages of a product.
+    // every few cycles (rtl/fixed/multipliers/rc_mul_shared.sv): of three cross products (cross_share), of
+    // the four sums of products that are edge functions (dot_share), of a pair (pair_share). Each product of
+    // a pair may be made in two parts (pair_parts, rtl/fixed/multipliers/rc_mul_parts.sv). `pair` is a pair's
+    // latency without the stages of a product.
     int cross_share = 1;
     int dot_share = 1;
     int pair_share = 1;

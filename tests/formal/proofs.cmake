@@ -299,49 +299,52 @@ prove(mutant:formal_delay_ram_writes_what_is_not_valid TOP delay_ram RTL cells/d
 
 # ---- Products that share multipliers, for every operand: one after the other, in parts, of operands that are
 # held.
-set(mul rc_pkg.sv cells/delays/rc_path_register.sv fixed/rc_mul_limb.sv fixed/rc_mul.sv)
-set(shared ${mul} fixed/rc_mul_shared.sv fixed/rc_mul_parts.sv)
+set(mul rc_pkg.sv cells/delays/rc_path_register.sv fixed/multipliers/rc_mul_limb.sv
+  fixed/multipliers/rc_mul.sv)
+set(shared ${mul} fixed/multipliers/rc_mul_shared.sv fixed/multipliers/rc_mul_parts.sv)
 foreach(share IN ITEMS 2 3)   # three products by two multipliers, and by one
   prove(formal:mul_shared_by_${share} TOP mul_shared RTL ${shared} WITH Share=${share} INDUCTION 6)
   prove(formal:mul_shared_by_${share}_unsigned TOP mul_shared RTL ${shared} WITH Share=${share} Signed=0
     INDUCTION 6)
   prove(formal:mul_parts_shared_by_${share} TOP mul_shared RTL ${shared}
     WITH Share=${share} Parts=1 Products=2 INDUCTION 6)
-  prove(formal:mul_held_for_${share} TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Every=${share}
-    INDUCTION 6)
+  prove(formal:mul_held_for_${share} TOP mul_held RTL ${mul} fixed/multipliers/rc_mul_held.sv
+    WITH Every=${share} INDUCTION 6)
 endforeach()
 prove(formal:mul_parts_unsigned TOP mul_shared RTL ${shared} WITH Signed=0 Parts=1 Products=2 INDUCTION 6)
-prove(formal:mul_held_unsigned TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Signed=0 INDUCTION 6)
-prove(formal:mul_held_late TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Every=3 Late=1 INDUCTION 6)
+prove(formal:mul_held_unsigned TOP mul_held RTL ${mul} fixed/multipliers/rc_mul_held.sv WITH Signed=0
+  INDUCTION 6)
+prove(formal:mul_held_late TOP mul_held RTL ${mul} fixed/multipliers/rc_mul_held.sv WITH Every=3 Late=1
+  INDUCTION 6)
 foreach(width IN ITEMS 4 5)   # a bit and two more than a block has
-  prove(formal:mul_spill_of_5_and_${width} TOP mul_spill RTL fixed/rc_mul_spill.sv WITH BW=${width}
-    INDUCTION 2)
+  prove(formal:mul_spill_of_5_and_${width} TOP mul_spill RTL fixed/multipliers/rc_mul_spill.sv
+    WITH BW=${width} INDUCTION 2)
 endforeach()
-prove(mutant:formal_mul_spill_loses_a_low_bit TOP mul_spill RTL fixed/rc_mul_spill.sv CYCLES 2
-  FILE fixed/rc_mul_spill.sv
+prove(mutant:formal_mul_spill_loses_a_low_bit TOP mul_spill RTL fixed/multipliers/rc_mul_spill.sv CYCLES 2
+  FILE fixed/multipliers/rc_mul_spill.sv
   OLD [[for (int i = 0; i < BLow; i++)]]
   NEW [[for (int i = 1; i < BLow; i++)]])
-prove(mutant:formal_mul_spill_of_unsigned_blocks TOP mul_spill RTL fixed/rc_mul_spill.sv CYCLES 2
-  FILE fixed/rc_mul_spill.sv
+prove(mutant:formal_mul_spill_of_unsigned_blocks TOP mul_spill RTL fixed/multipliers/rc_mul_spill.sv CYCLES 2
+  FILE fixed/multipliers/rc_mul_spill.sv
   OLD [[(2*Block)'(a_high) *]]
   NEW [[(2*Block)'($unsigned(a_high)) *]])
-prove(mutant:formal_mul_held_late_has_no_fewer_turns TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Every=3
-  Late=1 CYCLES 6 FILE fixed/rc_mul_held.sv
+prove(mutant:formal_mul_held_late_has_no_fewer_turns TOP mul_held RTL ${mul} fixed/multipliers/rc_mul_held.sv
+  WITH Every=3 Late=1 CYCLES 6 FILE fixed/multipliers/rc_mul_held.sv
   OLD [[Every - Inside - Late;]]
   NEW [[Every - Inside;]])
 prove(mutant:formal_mul_shared_operands_stay TOP mul_shared RTL ${shared} WITH Share=3 CYCLES 6
-  FILE fixed/rc_mul_shared.sv
+  FILE fixed/multipliers/rc_mul_shared.sv
   OLD [[: a_q >> AW;]]
   NEW [[: a_q;]])
 prove(mutant:formal_mul_shared_second_operands_come_late TOP mul_shared RTL ${shared} WITH Share=3 CYCLES 6
-  FILE fixed/rc_mul_shared.sv
+  FILE fixed/multipliers/rc_mul_shared.sv
   OLD [[b_i[(First+1)*BW +: (Own-1)*BW] : b_q >> BW;]]
   NEW [[b_i[First*BW +: (Own-1)*BW] : b_q >> BW;]])
 prove(mutant:formal_mul_parts_lower_has_no_sign TOP mul_shared RTL ${shared} WITH Parts=1 Products=2 CYCLES 5
-  FILE fixed/rc_mul_parts.sv
+  FILE fixed/multipliers/rc_mul_parts.sv
   OLD [[assign lower = Signed ? PW'($signed(last[2*i*HalfProductW +: HalfProductW]))]]
   NEW [[assign lower = Signed && 1'b0 ? PW'($signed(last[2*i*HalfProductW +: HalfProductW]))]])
-prove(mutant:formal_mul_held_takes_the_next TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Every=3 CYCLES 6
-  FILE fixed/rc_mul_held.sv
+prove(mutant:formal_mul_held_takes_the_next TOP mul_held RTL ${mul} fixed/multipliers/rc_mul_held.sv
+  WITH Every=3 CYCLES 6 FILE fixed/multipliers/rc_mul_held.sv
   OLD [[if (phase_i[i+Inside]) p_q <= p;]]
   NEW [[p_q <= p;]])

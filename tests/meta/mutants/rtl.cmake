@@ -166,7 +166,7 @@ mutant(fast_hitdiv_loses_a_stage FILE rtl/unit/tri/rc_hitdiv.sv TEST unit [tri][
 mutant(tri_rests_a_cycle_less QUICK FILE rtl/unit/tri/rc_tri.sv TEST unit [tri][interval]
   OLD [[|valid_q[Interval-2:0];]]
   NEW [[|valid_q[(Interval-1)/2:0];]])
-mutant(shared_products_wait_alike FILE rtl/fixed/rc_mul_shared.sv TEST unit [tri][interval]
+mutant(shared_products_wait_alike FILE rtl/fixed/multipliers/rc_mul_shared.sv TEST unit [tri][interval]
   OLD [[.Stages(Share - 1 - i)) u_early]]
   NEW [[.Stages(Own - 1)) u_early]])
 
