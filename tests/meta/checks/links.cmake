@@ -8,10 +8,10 @@ foreach(folder IN LISTS folders)
   file(GLOB_RECURSE more RELATIVE ${SOURCE} ${SOURCE}/${folder}/*.md ${SOURCE}/${folder}/*.ipynb)
   list(APPEND files ${more})
 endforeach()
-if(NOT FOLDERS STREQUAL "tests/meta/astray")   # the control
+if(NOT FOLDERS STREQUAL "tests/meta/checks/astray")   # the control
   file(GLOB more RELATIVE ${SOURCE} ${SOURCE}/*.md)
   list(APPEND files ${more})
-  list(FILTER files EXCLUDE REGEX "^tests/meta/astray/")
+  list(FILTER files EXCLUDE REGEX "^tests/meta/checks/astray/")
 endif()
 if(NOT files)
   message(FATAL_ERROR "there is no page in ${FOLDERS}")

@@ -8,8 +8,8 @@ foreach(folder IN LISTS folders)
   file(GLOB_RECURSE more RELATIVE ${SOURCE} ${SOURCE}/${folder}/CMakeLists.txt ${SOURCE}/${folder}/*.cmake)
   list(APPEND files ${more})
 endforeach()
-if(NOT FOLDERS STREQUAL "tests/meta/wide")   # the control
-  list(FILTER files EXCLUDE REGEX "^tests/meta/wide/")
+if(NOT FOLDERS STREQUAL "tests/meta/checks/wide")   # the control
+  list(FILTER files EXCLUDE REGEX "^tests/meta/checks/wide/")
 endif()
 set(faults "")
 foreach(file IN LISTS files)

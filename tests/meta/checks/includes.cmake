@@ -1,8 +1,7 @@
 # cmake -DSOURCE=folder [-DPARTIAL=ON: some rooms may be missing] -P includes.cmake
 # A file of model and sim includes files of its own room and of lower rooms only. So model includes no file of
 # sim. In model the first include of a .cpp lies in its own folder, so each declaration lies in the folder of
-# its definition. A module of one engine in rtl instantiates no module of another. No folder holds more than
-# eleven folders.
+# its definition. A module of one engine in rtl instantiates no module of another.
 #
 # The rooms from the lowest to the highest. Every room with sources is listed, and every listed room exists.
 set(rooms model/base model/core model/scene model/layout model/board model/mem model/unit model/engine
@@ -22,7 +21,8 @@ foreach(tree model sim)
 endforeach()
 foreach(room IN LISTS rooms)
   if(NOT PARTIAL AND NOT IS_DIRECTORY ${SOURCE}/${room})
-    string(APPEND faults "${room} is listed in tests/meta/includes.cmake, and there is no such folder\n")
+    string(APPEND faults
+      "${room} is listed in tests/meta/checks/includes.cmake, and there is no such folder\n")
   endif()
 endforeach()
 # Sets the part of model/engine in which a quoted file lies, and its floor.
@@ -44,7 +44,7 @@ foreach(file IN LISTS files)
   string(REGEX MATCH "^[a-z]+/[a-z]+" room ${file})
   list(FIND rooms ${room} floor)
   if(floor EQUAL -1)
-    string(APPEND faults "${file}: its room ${room} has no floor in tests/meta/includes.cmake\n")
+    string(APPEND faults "${file}: its room ${room} has no floor in tests/meta/checks/includes.cmake\n")
     continue()
   endif()
   if(file MATCHES "^model/.*\\.cpp$")
@@ -97,23 +97,6 @@ foreach(file IN LISTS modules)
       rtl_floor(${other} other_floor)
       if(NOT other_floor LESS floor)
         string(APPEND faults "${file} instantiates ${instance}, which is not a module of a lower engine\n")
-      endif()
-    endif()
-  endforeach()
-endforeach()
-foreach(tree model rtl sim)
-  file(GLOB_RECURSE entries LIST_DIRECTORIES true RELATIVE ${SOURCE} ${SOURCE}/${tree}/*)
-  foreach(entry IN LISTS entries ITEMS ${tree})
-    if(IS_DIRECTORY ${SOURCE}/${entry})
-      file(GLOB inside LIST_DIRECTORIES true ${SOURCE}/${entry}/*)
-      set(folders 0)
-      foreach(one IN LISTS inside)
-        if(IS_DIRECTORY ${one})
-          math(EXPR folders "${folders} + 1")
-        endif()
-      endforeach()
-      if(folders GREATER 11)
-        string(APPEND faults "${entry} has ${folders} folders, more than 11\n")
       endif()
     endif()
   endforeach()
