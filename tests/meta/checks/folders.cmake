@@ -19,13 +19,9 @@ set(exceptions
   tests/formal            # a module that is proven
   tests/meta/mutants      # a table of faults
   # One file for each question. tests/README.md has them in a table.
-  tests/cli
-  tests/compile
-  tests/load
   tests/motion
   tests/reference
   tests/scene
-  tests/system
   tests/system/elastic
   # Parts of one thing that only make sense together.
   model/core              # parameters and payloads, which all rooms include

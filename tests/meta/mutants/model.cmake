@@ -75,7 +75,7 @@ mutant(frames_record_skips_last_triangle FILE model/unit/list/ray_tests.hpp WITH
   NEW [[if (++half_line + 1 < end) return true;]])
 
 # ---- Answers that are wrong by a tie, judged pixel by pixel.
-mutant(model_answer_tie_first_come FILE model/unit/tri/edges.hpp WITH tests/system/cause_test.cpp
+mutant(model_answer_tie_first_come FILE model/unit/tri/edges.hpp WITH tests/system/judge/cause_test.cpp
   tests/support/machine/frames.cpp model/trace/record.cpp TEST system "the oracle requires the*"
   OLD [[return mine < theirs || (mine == theirs && prim <= best.prim);]]
   NEW [[return mine < theirs;]])

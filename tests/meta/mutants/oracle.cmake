@@ -7,7 +7,7 @@ mutant(oracle_fraction_by_boost FILE tests/support/oracle/fractions.hpp
   "a fraction and a whole number*"
   OLD [[eval_divide(quotient, cpp_rational_backend(b));]]
   NEW [[quotient.negate();]])
-mutant(oracle_way_ends_halfway FILE sim/judge/oracle/surface.hpp WITH tests/system/shadows_test.cpp
+mutant(oracle_way_ends_halfway FILE sim/judge/oracle/surface.hpp WITH tests/system/geometry/shadows_test.cpp
   TEST system "the search around a way*"
   OLD [[near > 2 * way.main_size()]]
   NEW [[near > way.main_size()]])

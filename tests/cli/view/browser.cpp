@@ -1,5 +1,5 @@
 // Opens pages in a browser without a window, and reads their data.
-#include "tests/cli/browser.hpp"
+#include "tests/cli/view/browser.hpp"
 
 #include <catch2/catch.hpp>
 

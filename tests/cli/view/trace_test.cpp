@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.hpp"
-#include "tests/cli/waveform.hpp"
+#include "tests/cli/view/waveform.hpp"
 
 using namespace rayclock::test;
 using nlohmann::json;

@@ -1,5 +1,5 @@
 // Writes the fake tools as shell scripts, and counts their calls.
-#include "tests/cli/fake_tools.hpp"
+#include "tests/cli/hardware/fake_tools.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -8,7 +8,7 @@
 #include <catch2/catch.hpp>
 #include <sys/stat.h>
 
-#include "tests/cli/fake_tools.hpp"
+#include "tests/cli/hardware/fake_tools.hpp"
 #include "tests/cli/under_test.hpp"
 
 using namespace rayclock::test;

@@ -2,7 +2,7 @@
 // expected values follow from the standard's text.
 #include <catch2/catch.hpp>
 
-#include "tests/load/textured_scenes.hpp"
+#include "tests/load/textures/textured_scenes.hpp"
 
 namespace rayclock::test::dae_textures_test {
 

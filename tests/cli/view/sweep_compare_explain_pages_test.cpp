@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "tests/cli/browser.hpp"
+#include "tests/cli/view/browser.hpp"
 
 namespace rayclock::test::sweep_compare_explain_pages_test {
 

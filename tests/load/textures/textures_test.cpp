@@ -11,7 +11,7 @@
 
 #include "model/scene/placed.hpp"
 #include "sim/files/image/average.hpp"
-#include "tests/load/textured_scenes.hpp"
+#include "tests/load/textures/textured_scenes.hpp"
 #include "tests/support/scenes/picture_files.hpp"
 
 namespace rayclock::test::textures_test {

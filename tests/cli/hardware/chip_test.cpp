@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/fake_nextpnr.hpp"
+#include "tests/cli/hardware/fake_nextpnr.hpp"
 
 using namespace rayclock::test;
 using nlohmann::json;

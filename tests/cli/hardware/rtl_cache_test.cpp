@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "tests/cli/fake_tools.hpp"
+#include "tests/cli/hardware/fake_tools.hpp"
 
 using namespace rayclock::test;
 using Catch::Contains;

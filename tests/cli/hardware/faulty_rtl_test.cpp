@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "tests/cli/program.hpp"
-#include "tests/cli/waveform.hpp"
+#include "tests/cli/view/waveform.hpp"
 
 using namespace rayclock::test;
 namespace fs = std::filesystem;

@@ -5,7 +5,7 @@
 
 #include <glm/common.hpp>
 
-#include "tests/load/textured_scenes.hpp"
+#include "tests/load/textures/textured_scenes.hpp"
 
 namespace rayclock::test::tds_textures_test {
 

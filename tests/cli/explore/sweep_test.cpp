@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/browser.hpp"
+#include "tests/cli/view/browser.hpp"
 #include "tests/cli/program.hpp"
 
 using namespace rayclock::test;

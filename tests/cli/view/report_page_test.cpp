@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <zlib.h>
 
-#include "tests/cli/browser.hpp"
+#include "tests/cli/view/browser.hpp"
 
 using namespace rayclock::test;
 using nlohmann::json;

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/browser.hpp"
+#include "tests/cli/view/browser.hpp"
 #include "tests/cli/under_test.hpp"
 
 using namespace rayclock::test;
