@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "model/unit/isect/origin.hpp"
+#include "model/unit/tri/origin.hpp"
 #include "sim/explore/stress/shadow_scenes.hpp"
 #include "sim/explore/stress/shadows.hpp"
 #include "sim/files/process/parallel.hpp"

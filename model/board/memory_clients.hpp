@@ -28,8 +28,8 @@ struct ClientOffers {
 };
 
 /// Grants one client per cycle, and sends the controller's beats back to the clients. Mirror of
-/// rtl/board/rc_board_memory.sv, which states the priorities. It has no data: an answer to the chip is an id,
-/// a beat is a flag.
+/// rtl/board/memory/rc_board_memory.sv, which states the priorities. It has no data: an answer to the chip is
+/// an id, a beat is a flag.
 ///
 /// A request of the chip is held here until it is granted. The other clients hold their own requests: they
 /// offer the same request up to the cycle in which it is accepted, the one after the grant.

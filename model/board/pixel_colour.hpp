@@ -1,5 +1,5 @@
 #pragma once
-// The conversion of finished pixels to the screen's bytes. Mirror of rtl/board/rc_pixel_colour.sv.
+// The conversion of finished pixels to the screen's bytes. Mirror of rtl/board/pixels/rc_pixel_colour.sv.
 #include <array>
 #include <cstdint>
 

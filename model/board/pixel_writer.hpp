@@ -9,8 +9,8 @@
 namespace rayclock {
 
 /// Gathers pixels into blocks of 4x4 and writes the blocks. It holds no colours. Read the outputs, then call
-/// clock() with the inputs of the same cycle. Mirror of rtl/board/rc_pixel_writer.sv, which describes the
-/// rules.
+/// clock() with the inputs of the same cycle. Mirror of rtl/board/pixels/rc_pixel_writer.sv, which describes
+/// the rules.
 class PixelWriter {
 public:
     struct Place {

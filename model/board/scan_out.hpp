@@ -53,7 +53,7 @@ constexpr std::uint32_t worst_delay_cycles(const ShownPicture& picture, std::uin
 
 /// Scan-out: the beam, the requests of lines, and the count of pixels that had not arrived. It holds no
 /// colours. Read the outputs, then call clock() with the inputs of the same cycle. Mirror of
-/// rtl/board/rc_scan_out.sv, which describes the rules.
+/// rtl/board/video/rc_scan_out.sv, which describes the rules.
 class ScanOut {
 public:
     struct Shape {

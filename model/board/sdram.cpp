@@ -1,4 +1,4 @@
-// The decisions of the controller, in the order of rtl/board/rc_sdram.sv.
+// The decisions of the controller, in the order of rtl/board/memory/rc_sdram.sv.
 #include "model/board/sdram.hpp"
 
 #include <algorithm>

@@ -29,7 +29,7 @@ struct SdramPins {
 };
 
 /// The controller of a 16-bit SDRAM: when it accepts requests, gives commands and moves beats. Mirror of
-/// rtl/board/rc_sdram.sv, which explains its decisions and its timing. It has no data.
+/// rtl/board/memory/rc_sdram.sv, which explains its decisions and its timing. It has no data.
 ///
 /// A request is a line of 64 bytes, by its number, with a tag. Requests are served in order. All outputs of a
 /// cycle are functions of the state, so they are known before the cycle's request.

@@ -34,8 +34,8 @@ const SdramPart& sdram_part(const std::string& name);
 const std::vector<SdramPart>& sdram_parts();
 
 /// Gates in clocks of the controller, and its other parameters. Mirror of the parameters of
-/// rtl/board/rc_sdram.sv: timings are rounded up with the period rounded down to 1 ps, and the interval of
-/// refreshes is rounded down with the period rounded up.
+/// rtl/board/memory/rc_sdram.sv: timings are rounded up with the period rounded down to 1 ps, and the
+/// interval of refreshes is rounded down with the period rounded up.
 struct SdramClocks {
     int row_bits = 0, column_bits = 0;
     int cl = 0;   ///< CAS latency

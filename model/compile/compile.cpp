@@ -21,7 +21,7 @@
 #include "model/engine/bvh/build.hpp"
 #include "model/engine/bvh/splits.hpp"
 #include "model/engine/engines.hpp"
-#include "model/unit/isect/vectors.hpp"
+#include "model/unit/tri/vectors.hpp"
 
 namespace rayclock {
 
@@ -60,7 +60,7 @@ LatticeBox box_of(const PrimData& prim, int coord_bits) {
     return box;
 }
 
-/// Returns the boxes of primitives. The sheared test may err by one step (model/unit/isect/sheared.hpp), so
+/// Returns the boxes of primitives. The sheared test may err by one step (model/unit/tri/sheared.hpp), so
 /// its boxes are a step larger. Lattice::snap leaves out the least coordinate, so their lower corners still
 /// fit N bits; upper planes are relative to these.
 std::vector<LatticeBox> boxes_of(const std::vector<PrimData>& triangles, const Config& config) {

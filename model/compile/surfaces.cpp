@@ -15,7 +15,7 @@
 #include "model/compile/textures.hpp"
 #include "model/core/settled.hpp"
 #include "model/layout/words.hpp"
-#include "model/unit/isect/edges.hpp"
+#include "model/unit/tri/edges.hpp"
 
 namespace rayclock {
 

@@ -41,8 +41,8 @@ constexpr int strength_bits = 17;   ///< a light's colour, share_bits of them fr
 /// A light, or a point of a plane, may lie 2^8 times as far away as the lattice reaches.
 constexpr int light_reach = 8;
 constexpr int plane_bits = 12;   ///< whole bits of a plane's u and v
-/// Additional bits of a path's length in a chip with planes (rtl/unit/shade/rc_far_path.sv). A point lies at
-/// most 2^(N-1+light_reach) steps away on each axis, so its distance is below 2^(N+8). t only reaches
+/// Additional bits of a path's length in a chip with planes (rtl/unit/shade/surface/rc_far_path.sv). A point
+/// lies at most 2^(N-1+light_reach) steps away on each axis, so its distance is below 2^(N+8). t only reaches
 /// 2^(N+2).
 constexpr int far_path_bits = light_reach - 2;
 /// Steps in which a distant ray finds the lattice: model/unit/shade/approach.hpp.
@@ -170,7 +170,7 @@ struct Config {
     /// Bits of n . x of a slant's plane, signed. The normal has three components of at most 2^6 - 1.
     int offset_of_plane_bits() const { return coord_bits + normal_step_bits + 1; }
     int tri_latency() const;
-    int pass_latency() const;     ///< of a pass alone, rtl/unit/shade/rc_pass.sv
+    int pass_latency() const;     ///< of a pass alone, rtl/unit/shade/pass/rc_pass.sv
     int shade_latency() const;    ///< of a pass, and of reading its context's state
     int clear_cycles() const;     ///< of a reset, which empties all caches: docs/machine/chip.md
     int node_miss_bits() const;   ///< id of the node cache's request to memory: MSHR, and word of the line

@@ -84,7 +84,7 @@ struct Spawn {
     }
 };
 
-/// A direction in the form of the sheared test (model/unit/isect/sheared.hpp). Payloads of the other tests do
+/// A direction in the form of the sheared test (model/unit/tri/sheared.hpp). Payloads of the other tests do
 /// not carry it.
 struct Shear {
     std::uint32_t axis = 0;                ///< z: the axis of the largest |d|

@@ -17,7 +17,7 @@ namespace rayclock {
 
 /// First-in first-out queue of fixed capacity. Its storage is a power of two and never moves. With a small
 /// capacity given as `most`, the storage lies in the queue itself. An item pushed in a cycle is visible in
-/// the next, because callers pop before they push. Mirror of rtl/cells/rc_fifo.sv.
+/// the next, because callers pop before they push. Mirror of rtl/cells/queues/rc_fifo.sv.
 template <class Item, std::uint32_t most = 0> class Ring {
 public:
     explicit Ring(int capacity) : capacity_(std::uint32_t(capacity)) {
@@ -73,7 +73,7 @@ inline std::uint32_t select(bool first, std::uint32_t a, std::uint32_t b) {
 }
 
 /// Two queues on one link. The first has priority, but an offer that was not accepted stays. Mirror of
-/// rtl/cells/rc_priority_merge.sv.
+/// rtl/cells/queues/rc_priority_merge.sv.
 class Merge {
 public:
     /// True if the second queue is on offer. `first_valid`: the first queue is valid.

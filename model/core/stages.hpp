@@ -6,7 +6,7 @@ namespace rayclock {
 
 /// The number of stages of each pipeline in the chip: the single source for model and RTL. A relaxed chip has
 /// few stages. A fast chip has a register wherever a path would be longer than one addition and a choice
-/// (`rtl/cells/rc_path_register.sv`), and three in every product (`rtl/fixed/rc_mul.sv`).
+/// (`rtl/cells/delays/rc_path_register.sv`), and three in every product (`rtl/fixed/multipliers/rc_mul.sv`).
 struct Stages {
     int cut = 0;   ///< stages of rc_path_register
     /// Stages of additional registers between units of a chip that shades, which fills the device.
@@ -29,16 +29,16 @@ struct Stages {
     /// as many as in treelet.
     int crossing = 0;
     // Products and quotients that share a multiplier or divider in turn, if tri accepts a primitive only
-    // every few cycles (rtl/fixed/rc_mul_shared.sv): of three cross products (cross_share), of the four sums
-    // of products that are edge functions (dot_share), of a pair (pair_share). Each product of a pair may be
-    // made in two parts (pair_parts, rtl/fixed/rc_mul_parts.sv). `pair` is a pair's latency without the
-    // stages of a product.
+    // every few cycles (rtl/fixed/multipliers/rc_mul_shared.sv): of three cross products (cross_share), of
+    // the four sums of products that are edge functions (dot_share), of a pair (pair_share). Each product of
+    // a pair may be made in two parts (pair_parts, rtl/fixed/multipliers/rc_mul_parts.sv). `pair` is a pair's
+    // latency without the stages of a product.
     int cross_share = 1;
     int dot_share = 1;
     int pair_share = 1;
     bool pair_parts = false;
     int pair = 1;
-    // Primitives, rtl/unit/isect/rc_tri.sv: rc_edges, rc_shear, the comparison, rc_hitdiv, rc_sphere.
+    // Primitives, rtl/unit/tri/rc_tri.sv: rc_edges, rc_shear, the comparison, rc_hitdiv, rc_sphere.
     int edges = 0;
     int shear = 0;
     int compare = 0;
@@ -57,7 +57,7 @@ struct Stages {
     int map_share = 1;
     int recip_share = 1;
     int map = 0;
-    // A pass of shade, rtl/unit/shade/rc_pass.sv. A pass stays in each of its stages for shade_interval
+    // A pass of shade, rtl/unit/shade/pass/rc_pass.sv. A pass stays in each of its stages for shade_interval
     // cycles.
     int pass = 28;
     int pass_cut = 0;    ///< registers within a stage, if a pass stays in it long enough

@@ -9,8 +9,8 @@
 #include "model/trace/trace.hpp"
 #include "model/unit/list/list.hpp"
 #include "model/unit/sched/sched.hpp"
-#include "model/unit/shade/unit.hpp"
-#include "model/unit/tex/unit.hpp"
+#include "model/unit/shade/shade.hpp"
+#include "model/unit/tex/tex.hpp"
 #include "model/unit/trav/trav.hpp"
 
 namespace rayclock {

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "model/machine/units.hpp"
-#include "model/unit/shade/unit.hpp"
+#include "model/unit/shade/shade.hpp"
 
 namespace rayclock {
 

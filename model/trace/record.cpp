@@ -7,8 +7,8 @@
 #include "model/engine/bvh/slab.hpp"
 #include "model/trace/trace.hpp"
 #include "model/trace/tree_walk.hpp"
-#include "model/unit/isect/test_primitive.hpp"
-#include "model/unit/isect/tri.hpp"
+#include "model/unit/tri/test_primitive.hpp"
+#include "model/unit/tri/tri.hpp"
 #include "model/unit/raygen/raygen.hpp"
 
 namespace rayclock {

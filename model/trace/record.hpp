@@ -6,8 +6,8 @@
 #include "model/trace/decoder.hpp"
 #include "model/trace/line_cache.hpp"
 #include "model/trace/walk.hpp"
-#include "model/unit/isect/facet.hpp"
-#include "model/unit/isect/primitive.hpp"
+#include "model/unit/tri/facet.hpp"
+#include "model/unit/tri/primitive.hpp"
 #include "model/unit/trav/stack.hpp"
 
 namespace rayclock {

@@ -3,8 +3,8 @@
 #include "model/trace/decoder.hpp"
 #include "model/trace/inside.hpp"
 #include "model/trace/tree_walk.hpp"
-#include "model/unit/isect/primitive.hpp"
-#include "model/unit/isect/test_primitive.hpp"
+#include "model/unit/tri/primitive.hpp"
+#include "model/unit/tri/test_primitive.hpp"
 
 namespace rayclock {
 

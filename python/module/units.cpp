@@ -6,7 +6,7 @@
 #include "model/base/stopwatch.hpp"
 #include "model/engine/check.hpp"
 #include "model/machine/links.hpp"
-#include "model/unit/isect/tri.hpp"
+#include "model/unit/tri/tri.hpp"
 #include "model/unit/xform/xform.hpp"
 #include "python/module/bindings.hpp"
 #include "python/module/payload_rows.hpp"

@@ -18,7 +18,7 @@
 #include "sim/run/rtl/builder.hpp"
 #include "sim/silicon/chip/chip_report.hpp"
 #include "sim/silicon/chip/estimate.hpp"
-#include "sim/silicon/chip/picture.hpp"
+#include "sim/silicon/chip/floorplan_picture.hpp"
 #include "sim/view/report/accounts.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/text.hpp"

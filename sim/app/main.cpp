@@ -1,5 +1,4 @@
-// rayclock: the command line. A command's options and work are in the file of its name; those of scenes,
-// config and rtl are in info.cpp.
+// rayclock: the command line. A command's options and work are in the file of its name.
 #include <algorithm>
 #include <cctype>
 #include <cstdio>

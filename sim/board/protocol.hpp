@@ -1,6 +1,6 @@
 #pragma once
 // The packets between the host and the board: docs/machine/board-link.md describes them, and
-// rtl/board/rc_link.sv and rc_board_registers.sv have the same constants.
+// rtl/board/link/rc_link.sv and rtl/board/rc_board_registers.sv have the same constants.
 #include <array>
 #include <cstdint>
 #include <optional>

@@ -80,7 +80,7 @@ private:
 };
 
 /// Finds the symbols in the bits of a cable, and gives them to a screen. The bits come in pairs, as from
-/// rtl/board/rc_video.sv. A channel is aligned when twelve control symbols follow one another.
+/// rtl/board/video/rc_video.sv. A channel is aligned when twelve control symbols follow one another.
 /// Channels may be skewed by less than half a symbol.
 class TmdsReceiver {
 public:

@@ -48,8 +48,9 @@ enum class SdramFault {
 constexpr int sdram_faults = int(SdramFault::unsupported) + 1;
 
 /// A 16-bit SDR SDRAM with four banks. It is written from the data sheet's rules, as an independent judge of
-/// rtl/board/rc_sdram.sv and model/board/sdram.hpp. Gates are compared in ps: clock edge n is at n times the
-/// period. It does not model: auto precharge, power-down, self refresh, suspended clocks, single writes.
+/// rtl/board/memory/rc_sdram.sv and model/board/sdram.hpp. Gates are compared in ps: clock edge n is at n
+/// times the period. It does not model: auto precharge, power-down, self refresh, suspended clocks, single
+/// writes.
 class SdramChip {
 public:
     /// The clock has `khz`. Edges count from 0, the first with stable power and clock.

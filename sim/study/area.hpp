@@ -1,6 +1,6 @@
 #pragma once
 // The page docs/measured/area.md, and the same data as a table and as JSON.
-#include "sim/silicon/area/run.hpp"
+#include "sim/silicon/area/synthesise_units.hpp"
 #include "sim/silicon/area/speed.hpp"
 
 namespace rayclock::area {

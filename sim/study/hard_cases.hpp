@@ -1,6 +1,6 @@
 #pragma once
 // The page of hard cases.
-#include "sim/explore/stress/run.hpp"
+#include "sim/explore/stress/stress_batches.hpp"
 
 namespace rayclock::stress {
 

@@ -12,7 +12,7 @@
 #include "sim/run/request/request.hpp"
 #include "sim/run/stream/make_rays.hpp"
 #include "sim/run/stream/stream.hpp"
-#include "sim/study/structures/measure.hpp"
+#include "sim/study/structures/measure_structures.hpp"
 #include "sim/view/report/accounts.hpp"
 
 namespace rayclock::streams {

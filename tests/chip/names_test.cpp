@@ -10,7 +10,7 @@
 #include "sim/run/rtl/sources.hpp"
 #include "sim/silicon/synth/yosys.hpp"
 #include "sim/silicon/chip/harness.hpp"
-#include "sim/silicon/chip/run.hpp"
+#include "sim/silicon/chip/place_and_route.hpp"
 #include "tests/image/folder.hpp"
 
 using namespace rayclock;
@@ -48,17 +48,20 @@ TEST_CASE("the source of a cell is the text in its module, not the place of its 
     std::ofstream(folder / "rc_box.sv") << "module rc_box;\n  rc_fifo #(.Depth(4)) u_queue (\n    .clk_i);\n"
                                            "  rc_ram u_ray (.clk_i); // u_none\nendmodule\n";
     std::ofstream(folder / "rc_tree.sv") << "module rc_tree;\n  rc_box u_box (.clk_i);\nendmodule\n";
-    std::ofstream(folder / "rc_fifo.sv") << "module rc_fifo;\n  always_ff @(posedge clk_i) begin\n  end\n";
+    std::filesystem::create_directories(folder / "cells/queues");
+    std::ofstream(folder / "cells/queues/rc_fifo.sv")
+        << "module rc_fifo;\n  always_ff @(posedge clk_i) begin\n  end\n";
     const std::string rtl = folder.path().string();
-    const std::string inner = rtl + "/rc_fifo.sv:2.3-3.6", outer = rtl + "/rc_box.sv:2.32-3.12",
+    const std::string inner = rtl + "/cells/queues/rc_fifo.sv:2.3-3.6", outer = rtl + "/rc_box.sv:2.32-3.12",
                       at_name = rtl + "/rc_box.sv:2.24-3.12",
                       library = "share/yosys/ecp5/cells_map.v:83.170-83.229";
-    CHECK(source_line(outer + "|" + library + "|" + inner, rtl) == "rtl/rc_fifo.sv:2");
-    CHECK(source_line(inner + "|" + at_name, rtl) == "rtl/rc_fifo.sv:2");
-    CHECK(source_line(at_name + "|" + inner, rtl) == "rtl/rc_fifo.sv:2");
+    CHECK(source_line(outer + "|" + library + "|" + inner, rtl) == "rtl/cells/queues/rc_fifo.sv:2");
+    CHECK(source_line(inner + "|" + at_name, rtl) == "rtl/cells/queues/rc_fifo.sv:2");
+    CHECK(source_line(at_name + "|" + inner, rtl) == "rtl/cells/queues/rc_fifo.sv:2");
     CHECK(source_line("harness.v:1.1-2.2|" + outer, rtl).empty());
     CHECK(source_line("harness.v:1.1-2.2|" + outer, rtl, true) == "rtl/rc_box.sv:2");
-    CHECK(source_line("/moved/rtl/rc_fifo.sv:2.3-3.6", rtl) == "rtl/rc_fifo.sv:2");   // an equal copy
+    CHECK(source_line("/moved/rtl/cells/queues/rc_fifo.sv:2.3-3.6", rtl) ==
+          "rtl/cells/queues/rc_fifo.sv:2");   // an equal copy
     CHECK(source_line(library, rtl).empty());
     CHECK(source_of_name("box", "u_ray.mem.0.2", rtl) == "rtl/rc_box.sv:4");
     CHECK(source_of_name("tree", "u_box.u_ray.mem.0.2", rtl) == "rtl/rc_box.sv:4");
@@ -120,7 +123,7 @@ TEST_CASE("a netlist is the same wherever the sources lie") {
         Config{}, "-defer ",
         "hierarchy -top rc_fifo\nproc\ndelete =A:whitebox =A:lib_whitebox\nwrite_json netlist.json\n"));
     const std::string netlist = run.text("netlist.json");
-    CHECK(netlist.find("rtl/cells/rc_fifo_peek.sv:") != netlist.npos);
+    CHECK(netlist.find("rtl/cells/queues/rc_fifo_peek.sv:") != netlist.npos);
     CHECK(netlist.find(rtl_sources().string()) == netlist.npos);
     CHECK(netlist.find(folder.path().string()) == netlist.npos);
 }

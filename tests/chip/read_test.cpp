@@ -7,7 +7,7 @@
 #include "model/base/error.hpp"
 #include "sim/silicon/chip/cells.hpp"
 #include "sim/silicon/chip/nextpnr.hpp"
-#include "sim/silicon/chip/picture.hpp"
+#include "sim/silicon/chip/floorplan_picture.hpp"
 #include "sim/silicon/chip/route.hpp"
 #include "sim/silicon/chip/timing.hpp"
 #include "sim/files/input.hpp"

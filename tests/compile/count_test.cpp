@@ -4,7 +4,7 @@
 #include "model/compile/compile.hpp"
 #include "model/compile/frame.hpp"
 #include "model/engine/bvh/decode.hpp"
-#include "model/unit/isect/tri.hpp"
+#include "model/unit/tri/tri.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/trace/walk.hpp"

@@ -2,91 +2,92 @@
 
 # ---- The credits of a pipeline that cannot stall.
 foreach(credits IN ITEMS 1 4 5 16)
-  prove(formal:credit_counter_of_${credits} TOP credit_counter RTL rc_pkg.sv cells/rc_credit_counter.sv
+  prove(formal:credit_counter_of_${credits} TOP credit_counter RTL rc_pkg.sv cells/flow/rc_credit_counter.sv
     WITH Credits=${credits} INDUCTION 4)
 endforeach()
 foreach(credits IN ITEMS 1 4 16)
-  prove(formal:fast_credit_counter_of_${credits} TOP credit_counter RTL rc_pkg.sv cells/rc_credit_counter.sv
-    WITH Credits=${credits} Cut=1 INDUCTION 4)
+  prove(formal:fast_credit_counter_of_${credits} TOP credit_counter RTL rc_pkg.sv
+    cells/flow/rc_credit_counter.sv WITH Credits=${credits} Cut=1 INDUCTION 4)
 endforeach()
 prove(mutant:formal_fast_credit_counter_lets_in_one_too_many TOP credit_counter RTL rc_pkg.sv
-  cells/rc_credit_counter.sv WITH Cut=1 CYCLES 12 FILE cells/rc_credit_counter.sv
+  cells/flow/rc_credit_counter.sv WITH Cut=1 CYCLES 12 FILE cells/flow/rc_credit_counter.sv
   OLD [[(open_q && !(admit_i && last));]]
   NEW [[open_q;]])
 prove(mutant:formal_credit_counter_lets_in_one_too_many TOP credit_counter RTL rc_pkg.sv
-  cells/rc_credit_counter.sv CYCLES 12 FILE cells/rc_credit_counter.sv
+  cells/flow/rc_credit_counter.sv CYCLES 12 FILE cells/flow/rc_credit_counter.sv
   OLD [[assign open_o = in_flight_q != Full;]]
   NEW [[assign open_o = in_flight_q != Full || leave_i;]])
-prove(mutant:formal_credit_counter_one_short TOP credit_counter RTL rc_pkg.sv cells/rc_credit_counter.sv
-  CYCLES 12 FILE cells/rc_credit_counter.sv
+prove(mutant:formal_credit_counter_one_short TOP credit_counter RTL rc_pkg.sv cells/flow/rc_credit_counter.sv
+  CYCLES 12 FILE cells/flow/rc_credit_counter.sv
   OLD [[Full = CountW'(Credits);]]
   NEW [[Full = CountW'(Credits - 1);]])
 prove(mutant:formal_credit_counter_forgets_who_came_as_one_left TOP credit_counter RTL rc_pkg.sv
-  cells/rc_credit_counter.sv CYCLES 12 FILE cells/rc_credit_counter.sv
+  cells/flow/rc_credit_counter.sv CYCLES 12 FILE cells/flow/rc_credit_counter.sv
   OLD [[else if (leave_i && !admit_i)]]
   NEW [[else if (leave_i)]])
 
 # ---- Queues.
 foreach(depth IN ITEMS 2 4)
-  prove(formal:fifo_of_${depth} TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv WITH Depth=${depth} INDUCTION 4)
-  prove(formal:fast_fifo_of_${depth} TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv WITH Depth=${depth} Cut=1
+  prove(formal:fifo_of_${depth} TOP fifo RTL rc_pkg.sv cells/queues/rc_fifo_peek.sv WITH Depth=${depth}
     INDUCTION 4)
-  prove(formal:fast_fifo_with_a_second_of_${depth} TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv
+  prove(formal:fast_fifo_of_${depth} TOP fifo RTL rc_pkg.sv cells/queues/rc_fifo_peek.sv WITH Depth=${depth}
+    Cut=1 INDUCTION 4)
+  prove(formal:fast_fifo_with_a_second_of_${depth} TOP fifo RTL rc_pkg.sv cells/queues/rc_fifo_peek.sv
     WITH Depth=${depth} Cut=1 Second=1 INDUCTION 4)
 endforeach()
-prove(mutant:formal_fifo_ready_when_full TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv CYCLES 10
-  FILE cells/rc_fifo_peek.sv
+prove(mutant:formal_fifo_ready_when_full TOP fifo RTL rc_pkg.sv cells/queues/rc_fifo_peek.sv CYCLES 10
+  FILE cells/queues/rc_fifo_peek.sv
   OLD [[assign ready_o = head_q != {~tail_q[IndexW], tail_q[IndexW-1:0]};]]
   NEW [[assign ready_o = 1'b1;]])
-prove(mutant:formal_fast_fifo_forgets_what_follows TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv WITH Cut=1
-  CYCLES 10 FILE cells/rc_fifo_peek.sv
+prove(mutant:formal_fast_fifo_forgets_what_follows TOP fifo RTL rc_pkg.sv cells/queues/rc_fifo_peek.sv
+  WITH Cut=1 CYCLES 10 FILE cells/queues/rc_fifo_peek.sv
   OLD [[valid_q <= (valid_q && !ready_i) || more || comes;]]
   NEW [[valid_q <= (valid_q && !ready_i) || comes;]])
-prove(mutant:formal_fast_fifo_counts_no_third TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv WITH Cut=1
-  CYCLES 10 FILE cells/rc_fifo_peek.sv
+prove(mutant:formal_fast_fifo_counts_no_third TOP fifo RTL rc_pkg.sv cells/queues/rc_fifo_peek.sv WITH Cut=1
+  CYCLES 10 FILE cells/queues/rc_fifo_peek.sv
   OLD [[many_q  <= goes ? (comes ? many_q : third)]]
   NEW [[many_q  <= goes ? (comes ? many_q : third && 1'b0)]])
-prove(mutant:formal_fast_fifo_ready_when_full TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv WITH Cut=1
-  CYCLES 10 FILE cells/rc_fifo_peek.sv
+prove(mutant:formal_fast_fifo_ready_when_full TOP fifo RTL rc_pkg.sv cells/queues/rc_fifo_peek.sv WITH Cut=1
+  CYCLES 10 FILE cells/queues/rc_fifo_peek.sv
   OLD [[(ready_q && !(valid_i && one_place));]]
   NEW [[ready_q;]])
-prove(mutant:formal_fast_fifo_tells_nothing_of_what_has_just_come TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv
-  WITH Cut=1 CYCLES 10 FILE cells/rc_fifo_peek.sv
+prove(mutant:formal_fast_fifo_tells_nothing_of_what_has_just_come TOP fifo RTL rc_pkg.sv
+  cells/queues/rc_fifo_peek.sv WITH Cut=1 CYCLES 10 FILE cells/queues/rc_fifo_peek.sv
   OLD [[(!valid_q || ready_i) && (more || comes);]]
   NEW [[(!valid_q || ready_i) && more;]])
-prove(mutant:formal_fast_fifo_tells_what_stays_behind TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv WITH Cut=1
-  CYCLES 10 FILE cells/rc_fifo_peek.sv
+prove(mutant:formal_fast_fifo_tells_what_stays_behind TOP fifo RTL rc_pkg.sv cells/queues/rc_fifo_peek.sv
+  WITH Cut=1 CYCLES 10 FILE cells/queues/rc_fifo_peek.sv
   OLD [[(!valid_q || ready_i) && (more || comes);]]
   NEW [[(!valid_q || ready_i) && (more || comes) || more;]])
-prove(mutant:formal_fast_fifo_keeps_its_second TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv WITH Cut=1
-  Second=1 CYCLES 10 FILE cells/rc_fifo_peek.sv
+prove(mutant:formal_fast_fifo_keeps_its_second TOP fifo RTL rc_pkg.sv cells/queues/rc_fifo_peek.sv WITH Cut=1
+  Second=1 CYCLES 10 FILE cells/queues/rc_fifo_peek.sv
   OLD [[if (goes || !many_q) second_q]]
   NEW [[if (!many_q) second_q]])
-prove(mutant:formal_fifo_writes_when_full TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv CYCLES 10
-  FILE cells/rc_fifo_peek.sv
+prove(mutant:formal_fifo_writes_when_full TOP fifo RTL rc_pkg.sv cells/queues/rc_fifo_peek.sv CYCLES 10
+  FILE cells/queues/rc_fifo_peek.sv
   OLD [[if (valid_i && ready_o) mem[tail_q]]
   NEW [[if (valid_i) mem[tail_q]])
-prove(mutant:formal_fifo_pops_when_empty TOP fifo RTL rc_pkg.sv cells/rc_fifo_peek.sv CYCLES 10
-  FILE cells/rc_fifo_peek.sv
+prove(mutant:formal_fifo_pops_when_empty TOP fifo RTL rc_pkg.sv cells/queues/rc_fifo_peek.sv CYCLES 10
+  FILE cells/queues/rc_fifo_peek.sv
   OLD [[if (valid_o && ready_i) head_q]]
   NEW [[if (ready_i) head_q]])
 foreach(depth IN ITEMS 1 2 4)
-  prove(formal:queue_of_${depth} TOP queue RTL rc_pkg.sv cells/rc_queue.sv cells/rc_fifo.sv
-    cells/rc_fifo_peek.sv WITH Depth=${depth} INDUCTION 4)
+  prove(formal:queue_of_${depth} TOP queue RTL rc_pkg.sv cells/queues/rc_queue.sv cells/queues/rc_fifo.sv
+    cells/queues/rc_fifo_peek.sv WITH Depth=${depth} INDUCTION 4)
 endforeach()
-prove(mutant:formal_queue_half_as_deep TOP queue RTL rc_pkg.sv cells/rc_queue.sv cells/rc_fifo.sv
-  cells/rc_fifo_peek.sv WITH Depth=4 CYCLES 10 FILE cells/rc_queue.sv
+prove(mutant:formal_queue_half_as_deep TOP queue RTL rc_pkg.sv cells/queues/rc_queue.sv
+  cells/queues/rc_fifo.sv cells/queues/rc_fifo_peek.sv WITH Depth=4 CYCLES 10 FILE cells/queues/rc_queue.sv
   OLD [[.valid_i(push_i), .ready_o(ready), .data_i,]]
   NEW [[.valid_i(push_i && !valid_o), .ready_o(ready), .data_i,]])
 
 # ---- Many on one link.
-prove(formal:priority_merge TOP priority_merge RTL cells/rc_priority_merge.sv INDUCTION 4)
-prove(mutant:formal_priority_merge_changes_its_mind TOP priority_merge RTL cells/rc_priority_merge.sv CYCLES 8
-  FILE cells/rc_priority_merge.sv
+prove(formal:priority_merge TOP priority_merge RTL cells/queues/rc_priority_merge.sv INDUCTION 4)
+prove(mutant:formal_priority_merge_changes_its_mind TOP priority_merge RTL cells/queues/rc_priority_merge.sv
+  CYCLES 8 FILE cells/queues/rc_priority_merge.sv
   OLD [[assign second         = held_q ? held_second_q : !first_valid_i;]]
   NEW [[assign second         = !first_valid_i;]])
-prove(mutant:formal_priority_merge_tells_both TOP priority_merge RTL cells/rc_priority_merge.sv CYCLES 8
-  FILE cells/rc_priority_merge.sv
+prove(mutant:formal_priority_merge_tells_both TOP priority_merge RTL cells/queues/rc_priority_merge.sv
+  CYCLES 8 FILE cells/queues/rc_priority_merge.sv
   OLD [[assign first_ready_o  = ready_i && !second;]]
   NEW [[assign first_ready_o  = ready_i;]])
 foreach(sources IN ITEMS 2 4 8)
@@ -107,7 +108,8 @@ prove(mutant:formal_arbiter_grants_two TOP arbiter RTL mem/rc_arbiter.sv CYCLES 
   NEW [[{{(Sources-1){1'b0}}, valid_o && ready_i} << source_o | {valid_i[Sources-1] && valid_i[0] && ready_i, {(Sources-1){1'b0}}};]])
 
 # ---- The caches' control.
-set(mshr rc_pkg.sv mem/rc_mshr.sv cells/rc_ram.sv cells/rc_queue.sv cells/rc_fifo.sv cells/rc_fifo_peek.sv)
+set(mshr rc_pkg.sv mem/rc_mshr.sv cells/memories/rc_ram.sv cells/queues/rc_queue.sv cells/queues/rc_fifo.sv
+  cells/queues/rc_fifo_peek.sv)
 foreach(words IN ITEMS 1 2)
   prove(formal:mshr_of_${words}_words TOP mshr RTL ${mshr} WITH Words=${words} INDUCTION 3)
 endforeach()
@@ -129,7 +131,8 @@ prove(mutant:formal_mshr_filled_by_the_first_word TOP mshr RTL ${mshr} WITH Word
   FILE mem/rc_mshr.sv
   OLD [[assign filled = fill_fires_i && words == WordW'(Words - 1);]]
   NEW [[assign filled = fill_fires_i && words == '0;]])
-set(tags rc_pkg.sv mem/rc_tags.sv cells/rc_ram.sv cells/rc_ram_sync.sv cells/rc_path_register.sv)
+set(tags rc_pkg.sv mem/rc_tags.sv cells/memories/rc_ram.sv cells/memories/rc_ram_sync.sv
+  cells/delays/rc_path_register.sv)
 prove(formal:tags TOP tags RTL ${tags} INDUCTION 6)
 prove(mutant:formal_tags_give_a_waiting_way_away TOP tags RTL ${tags} CYCLES 8 FILE mem/rc_tags.sv
   OLD [[waiting_i[oldest] ? gen_way[Ways-1].lowest : oldest;]]
@@ -160,8 +163,8 @@ prove(mutant:formal_tags_load_the_tree_that_is_written TOP tags_ahead RTL ${tags
   FILE mem/rc_tags.sv
   OLD [[: touched_q && same_late ? late_recent : kept;]]
   NEW [[: kept;]])
-set(cache ${tags} mem/rc_cache.sv mem/rc_mshr.sv cells/rc_queue.sv cells/rc_fifo.sv cells/rc_fifo_peek.sv
-  cells/rc_credit_counter.sv)
+set(cache ${tags} mem/rc_cache.sv mem/rc_mshr.sv cells/queues/rc_queue.sv cells/queues/rc_fifo.sv
+  cells/queues/rc_fifo_peek.sv cells/flow/rc_credit_counter.sv)
 prove(formal:cache TOP cache_always RTL ${cache} INDUCTION 3)
 prove(formal:cache_of_2_words_to_9_cycles TOP cache RTL ${cache} WITH Words=2 CYCLES 9)
 prove(formal:cache_to_11_cycles TOP cache RTL ${cache} CYCLES 11 SLOW)
@@ -254,7 +257,7 @@ prove(mutant:formal_divide_reads_below_again ${divide_shared}
   NEW [[assign low_d  = low_new;]])
 
 # ---- Square root, for every operand.
-set(sqrt rc_pkg.sv cells/rc_path_register.sv fixed/rc_addsub.sv fixed/rc_sqrt.sv)
+set(sqrt rc_pkg.sv cells/delays/rc_path_register.sv fixed/rc_addsub.sv fixed/rc_sqrt.sv)
 foreach(stages IN ITEMS 2 3)
   prove(formal:sqrt_in_${stages}_stages TOP sqrt RTL ${sqrt} WITH Stages=${stages} INDUCTION 6)
 endforeach()
@@ -282,63 +285,66 @@ prove(mutant:formal_sqrt_loses_the_sign ${sqrt_shared}
 
 # ---- Data that accompanies a long pipeline.
 foreach(stages IN ITEMS 2 3 4)
-  prove(formal:delay_ram_of_${stages} TOP delay_ram RTL cells/rc_delay_ram.sv cells/rc_ram.sv
+  prove(formal:delay_ram_of_${stages} TOP delay_ram RTL cells/delays/rc_delay_ram.sv cells/memories/rc_ram.sv
     WITH Stages=${stages} INDUCTION 8)
 endforeach()
-prove(mutant:formal_delay_ram_a_cycle_longer TOP delay_ram RTL cells/rc_delay_ram.sv cells/rc_ram.sv CYCLES 10
-  FILE cells/rc_delay_ram.sv
+prove(mutant:formal_delay_ram_a_cycle_longer TOP delay_ram RTL cells/delays/rc_delay_ram.sv
+  cells/memories/rc_ram.sv CYCLES 10 FILE cells/delays/rc_delay_ram.sv
   OLD [[at_q == IndexW'(Stages - 1)) at_q]]
   NEW [[at_q == IndexW'(Stages)) at_q]])
-prove(mutant:formal_delay_ram_writes_what_is_not_valid TOP delay_ram RTL cells/rc_delay_ram.sv cells/rc_ram.sv
-  CYCLES 10 FILE cells/rc_delay_ram.sv
+prove(mutant:formal_delay_ram_writes_what_is_not_valid TOP delay_ram RTL cells/delays/rc_delay_ram.sv
+  cells/memories/rc_ram.sv CYCLES 10 FILE cells/delays/rc_delay_ram.sv
   OLD [[.write_i(valid_i), .write_addr_i(at_q)]]
   NEW [[.write_i(1'b1), .write_addr_i(valid_i ? at_q : '0)]])
 
 # ---- Products that share multipliers, for every operand: one after the other, in parts, of operands that are
 # held.
-set(mul rc_pkg.sv cells/rc_path_register.sv fixed/rc_mul_limb.sv fixed/rc_mul.sv)
-set(shared ${mul} fixed/rc_mul_shared.sv fixed/rc_mul_parts.sv)
+set(mul rc_pkg.sv cells/delays/rc_path_register.sv fixed/multipliers/rc_mul_limb.sv
+  fixed/multipliers/rc_mul.sv)
+set(shared ${mul} fixed/multipliers/rc_mul_shared.sv fixed/multipliers/rc_mul_parts.sv)
 foreach(share IN ITEMS 2 3)   # three products by two multipliers, and by one
   prove(formal:mul_shared_by_${share} TOP mul_shared RTL ${shared} WITH Share=${share} INDUCTION 6)
   prove(formal:mul_shared_by_${share}_unsigned TOP mul_shared RTL ${shared} WITH Share=${share} Signed=0
     INDUCTION 6)
   prove(formal:mul_parts_shared_by_${share} TOP mul_shared RTL ${shared}
     WITH Share=${share} Parts=1 Products=2 INDUCTION 6)
-  prove(formal:mul_held_for_${share} TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Every=${share}
-    INDUCTION 6)
+  prove(formal:mul_held_for_${share} TOP mul_held RTL ${mul} fixed/multipliers/rc_mul_held.sv
+    WITH Every=${share} INDUCTION 6)
 endforeach()
 prove(formal:mul_parts_unsigned TOP mul_shared RTL ${shared} WITH Signed=0 Parts=1 Products=2 INDUCTION 6)
-prove(formal:mul_held_unsigned TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Signed=0 INDUCTION 6)
-prove(formal:mul_held_late TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Every=3 Late=1 INDUCTION 6)
+prove(formal:mul_held_unsigned TOP mul_held RTL ${mul} fixed/multipliers/rc_mul_held.sv WITH Signed=0
+  INDUCTION 6)
+prove(formal:mul_held_late TOP mul_held RTL ${mul} fixed/multipliers/rc_mul_held.sv WITH Every=3 Late=1
+  INDUCTION 6)
 foreach(width IN ITEMS 4 5)   # a bit and two more than a block has
-  prove(formal:mul_spill_of_5_and_${width} TOP mul_spill RTL fixed/rc_mul_spill.sv WITH BW=${width}
-    INDUCTION 2)
+  prove(formal:mul_spill_of_5_and_${width} TOP mul_spill RTL fixed/multipliers/rc_mul_spill.sv
+    WITH BW=${width} INDUCTION 2)
 endforeach()
-prove(mutant:formal_mul_spill_loses_a_low_bit TOP mul_spill RTL fixed/rc_mul_spill.sv CYCLES 2
-  FILE fixed/rc_mul_spill.sv
+prove(mutant:formal_mul_spill_loses_a_low_bit TOP mul_spill RTL fixed/multipliers/rc_mul_spill.sv CYCLES 2
+  FILE fixed/multipliers/rc_mul_spill.sv
   OLD [[for (int i = 0; i < BLow; i++)]]
   NEW [[for (int i = 1; i < BLow; i++)]])
-prove(mutant:formal_mul_spill_of_unsigned_blocks TOP mul_spill RTL fixed/rc_mul_spill.sv CYCLES 2
-  FILE fixed/rc_mul_spill.sv
+prove(mutant:formal_mul_spill_of_unsigned_blocks TOP mul_spill RTL fixed/multipliers/rc_mul_spill.sv CYCLES 2
+  FILE fixed/multipliers/rc_mul_spill.sv
   OLD [[(2*Block)'(a_high) *]]
   NEW [[(2*Block)'($unsigned(a_high)) *]])
-prove(mutant:formal_mul_held_late_has_no_fewer_turns TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Every=3
-  Late=1 CYCLES 6 FILE fixed/rc_mul_held.sv
+prove(mutant:formal_mul_held_late_has_no_fewer_turns TOP mul_held RTL ${mul} fixed/multipliers/rc_mul_held.sv
+  WITH Every=3 Late=1 CYCLES 6 FILE fixed/multipliers/rc_mul_held.sv
   OLD [[Every - Inside - Late;]]
   NEW [[Every - Inside;]])
 prove(mutant:formal_mul_shared_operands_stay TOP mul_shared RTL ${shared} WITH Share=3 CYCLES 6
-  FILE fixed/rc_mul_shared.sv
+  FILE fixed/multipliers/rc_mul_shared.sv
   OLD [[: a_q >> AW;]]
   NEW [[: a_q;]])
 prove(mutant:formal_mul_shared_second_operands_come_late TOP mul_shared RTL ${shared} WITH Share=3 CYCLES 6
-  FILE fixed/rc_mul_shared.sv
+  FILE fixed/multipliers/rc_mul_shared.sv
   OLD [[b_i[(First+1)*BW +: (Own-1)*BW] : b_q >> BW;]]
   NEW [[b_i[First*BW +: (Own-1)*BW] : b_q >> BW;]])
 prove(mutant:formal_mul_parts_lower_has_no_sign TOP mul_shared RTL ${shared} WITH Parts=1 Products=2 CYCLES 5
-  FILE fixed/rc_mul_parts.sv
+  FILE fixed/multipliers/rc_mul_parts.sv
   OLD [[assign lower = Signed ? PW'($signed(last[2*i*HalfProductW +: HalfProductW]))]]
   NEW [[assign lower = Signed && 1'b0 ? PW'($signed(last[2*i*HalfProductW +: HalfProductW]))]])
-prove(mutant:formal_mul_held_takes_the_next TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Every=3 CYCLES 6
-  FILE fixed/rc_mul_held.sv
+prove(mutant:formal_mul_held_takes_the_next TOP mul_held RTL ${mul} fixed/multipliers/rc_mul_held.sv
+  WITH Every=3 CYCLES 6 FILE fixed/multipliers/rc_mul_held.sv
   OLD [[if (phase_i[i+Inside]) p_q <= p;]]
   NEW [[p_q <= p;]])

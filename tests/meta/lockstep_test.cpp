@@ -117,7 +117,7 @@ TEST_CASE("lockstep names the first wrong value") {
     const Event event =
         first_event<TriRsp>(job, Link::tri_rsp, [](const TriRsp& rsp) { return rsp.closer != 0; });
     REQUIRE(event.cycle > 0);
-    const Mutant mutant("unit/isect/rc_hitdiv.sv", "assign v_o = {", "assign v_o = (BaryBits+1)'(1) + {");
+    const Mutant mutant("unit/tri/rc_hitdiv.sv", "assign v_o = {", "assign v_o = (BaryBits+1)'(1) + {");
     const LockstepResult result = run_lockstep(job);
     check_first(result, event, "tri", "tri_rsp");
     CHECK(result.value_mismatches > 1);
@@ -147,7 +147,7 @@ TEST_CASE("lockstep names the first cycle in which the RTL is late") {
     const std::string queue =
         "  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (\n    .clk_i, .rst_ni, ";
     const Mutant mutant(
-        "unit/trav/rc_node_answer.sv",
+        "engine/rc_node_answer.sv",
         queue + ".valid_i(end_valid_i), .ready_o(queue_ready), .data_i(queue_data),",
         "  logic late_q;\n  logic [rc_pkg::BoxRspW-1:0] data_q;\n  always_ff @(posedge clk_i) begin\n"
         "    late_q <= rst_ni && end_valid_i;\n    data_q <= queue_data;\n  end\n" +
@@ -170,7 +170,7 @@ TEST_CASE("lockstep names the first cycle in which the RTL is late") {
 }
 
 TEST_CASE("lockstep names the first cycle in which the RTL is early") {
-    const Mutant mutant("unit/isect/rc_tri.sv", "|valid_q[Interval-2:0];", "|valid_q[Interval-3:0];");
+    const Mutant mutant("unit/tri/rc_tri.sv", "|valid_q[Interval-2:0];", "|valid_q[Interval-3:0];");
     const LockstepResult result = run_lockstep(small_job(4));
     REQUIRE(result.first);
     CHECK(result.first->unit == "tri");   // which took it too soon

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "sim/files/image/image.hpp"
-#include "sim/judge/paths/picture.hpp"
+#include "sim/judge/paths/judge_picture.hpp"
 #include "sim/judge/reference/reference.hpp"
 #include "tests/motion/films.hpp"
 #include "tests/motion/shapes.hpp"

@@ -33,7 +33,7 @@ class Example(Case):
     def test_swapped_signals_are_found(self):
         with tempfile.TemporaryDirectory() as folder:
             rtl = shutil.copytree(SOURCE / "rtl", Path(folder) / "rtl")
-            file = rtl / "unit/isect/rc_tri.sv"
+            file = rtl / "unit/tri/rc_tri.sv"
             text = file.read_text()
             changed = text.replace(".u_i(pre_u), .v_i(pre_v)", ".u_i(pre_v), .v_i(pre_u)")
             self.assertNotEqual(changed, text)

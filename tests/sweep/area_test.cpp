@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/run/request/config_file.hpp"
-#include "sim/silicon/area/run.hpp"
+#include "sim/silicon/area/synthesise_units.hpp"
 #include "sim/silicon/area/variants.hpp"
 #include "model/base/error.hpp"
 

@@ -268,16 +268,16 @@ TEST_CASE("a signal that is a bit too narrow is an overflow", "[fit]") {
 
 TEST_CASE("the widths in the table of ranges are the RTL's", "[fit]") {
     const std::pair<const char*, std::vector<const char*>> texts[] = {
-        {"unit/isect/rc_edges.sv",
+        {"unit/tri/rc_edges.sv",
          {"localparam int unsigned DiffW = N + 1;",
           "localparam int unsigned RayCrossW = RayDirBits + DiffW + 1;",
           "localparam int unsigned EdgeCrossW = 2 * DiffW + 1;",
           "localparam int unsigned EdgeBits = rc_pkg::EdgeBits",
           "localparam int unsigned NumBits = rc_pkg::NumBits"}},
-        {"unit/isect/rc_tri.sv",
+        {"unit/tri/rc_tri.sv",
          {"logic [NumBits+EdgeBits-1:0] f0_mine, f0_theirs, f1_mine_q, f1_theirs_q;",
           "localparam int unsigned EdgeBits = rc_pkg::EdgeBits;"}},
-        {"unit/isect/rc_hitdiv.sv",
+        {"unit/tri/rc_hitdiv.sv",
          {"localparam int unsigned WideW = (NumBits + Left > DenW ? NumBits + Left : DenW) + 1;",
           "rc_pkg::DirBits - rc_pkg::CoordBits - 3 : 0;"}},
         {"engine/bvh/rc_slab.sv",
@@ -289,7 +289,7 @@ TEST_CASE("the widths in the table of ranges are the RTL's", "[fit]") {
          {"logic signed [GuardSumW-1:0] s1_right_q, s1_down_q, s1_corner;",
           "localparam int unsigned GuardDirBits = rc_pkg::GuardDirBits;",
           "localparam int unsigned GuardSumW = GuardDirBits + SubBits;"}},
-        {"unit/raygen/rc_recip.sv", {"logic [RayDirBits-1:0] s0_mag, mag;"}}};
+        {"fixed/rc_recip.sv", {"logic [RayDirBits-1:0] s0_mag, mag;"}}};
     for (const auto& [name, lines] : texts) {
         std::ifstream file(rtl_sources() / name);
         std::ostringstream text;

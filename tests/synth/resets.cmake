@@ -6,7 +6,7 @@ file(WRITE ${FOLDER}/two.sv "module two (input clk_i, input rst_ni, output first
   rc_reset_register u_first (.clk_i(clk_i), .rst_ni(rst_ni), .rst_no(first_o));
   rc_reset_register u_second (.clk_i(clk_i), .rst_ni(rst_ni), .rst_no(second_o));
 endmodule\n")
-file(READ ${RTL}/cells/rc_reset_register.sv text)
+file(READ ${RTL}/cells/delays/rc_reset_register.sv text)
 string(REPLACE "(* keep_hierarchy *)" "" bare "${text}")
 function(expect_registers count text)
   file(WRITE ${FOLDER}/rc_reset_register.sv "${text}")

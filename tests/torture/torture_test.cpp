@@ -13,7 +13,7 @@
 
 using namespace rayclock;
 
-// Not a test of its own; see tests/system/lockstep_test.cpp.
+// Not a test of its own; see tests/system/lockstep/lockstep_test.cpp.
 TEST_CASE("the RTL of the tortured chips builds", "[.build]") {
     std::vector<test::RtlJob> jobs;
     for (const std::string& chip : torture_chips())

@@ -7,7 +7,7 @@
 #include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
-#include "model/unit/isect/vectors.hpp"
+#include "model/unit/tri/vectors.hpp"
 
 namespace rayclock::bsp {
 

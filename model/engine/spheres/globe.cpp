@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "model/engine/spheres/tables.hpp"
-#include "model/unit/isect/vectors.hpp"
+#include "model/unit/tri/vectors.hpp"
 
 namespace rayclock {
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "model/scene/whitted.hpp"
-#include "model/unit/isect/sheared.hpp"
+#include "model/unit/tri/sheared.hpp"
 
 namespace rayclock {
 

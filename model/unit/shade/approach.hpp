@@ -18,7 +18,8 @@ inline std::int64_t lattice_end(const Config& c) {
 /// The point is exactly on the ray: nothing is rounded. It lies further in than the ray's entry by less than
 /// 2^(s + M - 2), an eighth of the lattice's reach (unless s = 0). fit_lattice() leaves that margin free, so
 /// the ray skips no bounded primitive. k has approach_steps bits. These suffice from 2^light_reach times the
-/// lattice's reach, with |d| of 2^(M-2) as direction_of() makes it. Mirror of rtl/unit/shade/rc_approach.sv.
+/// lattice's reach, with |d| of 2^(M-2) as direction_of() makes it. Mirror of
+/// rtl/unit/shade/light/rc_approach.sv.
 std::optional<Vec3i> approach(const Vec3l& p, const Vec3i& d, const Config& config);
 
 }   // namespace rayclock

@@ -4,7 +4,7 @@
 
 namespace rayclock {
 
-/// The outcome of a pass for a reflected or refracted ray. Mirror of rtl/unit/shade/rc_bounce.sv.
+/// The outcome of a pass for a reflected or refracted ray. Mirror of rtl/unit/shade/bounce/rc_bounce.sv.
 struct BounceOut {
     /// The ray leaves on the right side. A refracted ray also needs no total reflection and, with two levels,
     /// a component of at least shortest_held().

@@ -5,7 +5,7 @@
 namespace rayclock {
 
 /// The outcome of a pass for a light: the shadow ray's direction. light() also sets the light's contribution
-/// in state.share. Mirror of rtl/unit/shade/rc_light.sv.
+/// in state.share. Mirror of rtl/unit/shade/light/rc_light.sv.
 struct LightOut {
     bool counts = false;   ///< the light lies on the side seen, and its cosine is positive
     LightParts parts;

@@ -1,5 +1,5 @@
 #pragma once
-// The work of a pass through the unit shade. unit.hpp has its timing.
+// The work of a pass through the unit shade. shade.hpp has its timing.
 #include "model/unit/shade/state.hpp"
 
 namespace rayclock {

@@ -65,10 +65,10 @@ struct ShadeState {
     std::uint32_t light_holes = 0;
     std::uint32_t total = 0;   ///< the refracted ray was totally reflected
     friend bool operator==(const ShadeState&, const ShadeState&) = default;
-    /// Fields are in the groups that a chip stores and writes separately (rtl/unit/shade/rc_contexts.sv): the
-    /// pixel; the fields that every pass changes; the position and view of the hit; its sides and colours; a
-    /// light's share. Optional groups follow: several samples; refraction; the material, also for refraction
-    /// and for spheres.
+    /// Fields are in the groups that a chip stores and writes separately
+    /// (rtl/unit/shade/pass/rc_contexts.sv): the pixel; the fields that every pass changes; the position and
+    /// view of the hit; its sides and colours; a light's share. Optional groups follow: several samples;
+    /// refraction; the material, also for refraction and for spheres.
     template <class V> void fields(V& v_, const Config& c) {
         v_("x", x, c.pixel_bits);
         v_("y", y, c.pixel_bits);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "model/unit/isect/origin.hpp"
+#include "model/unit/tri/origin.hpp"
 #include "model/unit/shade/approach.hpp"
 #include "model/unit/shade/dot.hpp"
 #include "model/unit/shade/unit_vector.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// The layout of textures in memory, and the work of the unit tex on one hit. unit.hpp has its timing.
+// The layout of textures in memory, and the work of the unit tex on one hit. tex.hpp has its timing.
 //
 // A level's texels lie in tiles, row by row, a tile in each line of memory. A tile has 4 x 2 texels for
 // rgb888 and 4 x 4 for rgb565. A line also holds the texels to the right of its tile and below it, according

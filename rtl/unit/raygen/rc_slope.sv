@@ -6,7 +6,7 @@
 // all zeros.
 //
 // Latency 1 + floor(M / 2), throughput 1 per cycle. Model: shear_of() in
-// model/unit/isect/sheared.hpp.
+// model/unit/tri/sheared.hpp.
 `default_nettype none
 module rc_slope #(
   localparam int unsigned M = rc_pkg::DirBits

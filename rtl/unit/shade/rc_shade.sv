@@ -11,7 +11,7 @@
 // that need another pass, then contexts whose texture colour has arrived, then answers of other
 // rays. Latency rc_pkg::ShadeLatency + 1 from a pass to its output, more if the context passes
 // again. closest_i is always accepted; slot_i and ray_i are observed. The user holds frame_i while
-// rays are in flight. Model: model/unit/shade/unit.hpp (timing), model/unit/shade/pass.hpp
+// rays are in flight. Model: model/unit/shade/shade.hpp (timing), model/unit/shade/pass.hpp
 // (values).
 `default_nettype none
 module rc_shade (

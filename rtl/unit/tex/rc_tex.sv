@@ -6,7 +6,7 @@
 //
 // Latency from a record to its request for texels TexAddressStages + 1, from texels to their
 // colour TexFilterStages. Both take one hit per cycle. The unit exists only in a chip with
-// textures. Model: model/unit/tex/unit.hpp (timing), model/unit/tex/texel.hpp (values).
+// textures. Model: model/unit/tex/tex.hpp (timing), model/unit/tex/texel.hpp (values).
 `default_nettype none
 module rc_tex (
   input  logic                  clk_i,

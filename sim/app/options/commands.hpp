@@ -1,6 +1,5 @@
 #pragma once
-// All commands. Each has a file of its name, those of `study` in study/. scenes, config and rtl are in
-// info.cpp.
+// All commands. Each has a file of its name, those of `study` in study/.
 #include "sim/app/options/command.hpp"
 
 namespace rayclock {

@@ -6,7 +6,7 @@
 #include "sim/app/parts/methods.hpp"
 #include "sim/explore/balance/search.hpp"
 #include "sim/run/film/choice.hpp"
-#include "sim/silicon/chip/run.hpp"
+#include "sim/silicon/chip/place_and_route.hpp"
 
 namespace rayclock {
 

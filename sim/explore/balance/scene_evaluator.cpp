@@ -8,9 +8,9 @@
 #include "model/compile/compile.hpp"
 #include "model/core/parameters.hpp"
 #include "model/engine/check.hpp"
-#include "sim/explore/sweep/run.hpp"
+#include "sim/explore/sweep/evaluate_points.hpp"
 #include "sim/run/rtl/builder.hpp"
-#include "sim/silicon/area/run.hpp"
+#include "sim/silicon/area/synthesise_units.hpp"
 
 namespace rayclock::balance {
 

@@ -1,4 +1,4 @@
-// Tri's signals: rtl/unit/isect/rc_edges.sv, rc_tri.sv and rc_hitdiv.sv, which have the widths; and those of
+// Tri's signals: rtl/unit/tri/rc_edges.sv, rc_tri.sv and rc_hitdiv.sv, which have the widths; and those of
 // list and trav. s1 to s4 are a relaxed chip's stages.
 #include "sim/explore/fit/ranges.hpp"
 

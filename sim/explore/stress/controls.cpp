@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "model/unit/isect/tri.hpp"
+#include "model/unit/tri/tri.hpp"
 
 namespace rayclock::stress {
 

@@ -1,6 +1,6 @@
 #pragma once
 // Negative controls: the exact test with one fault each. A judge must detect every one.
-#include "sim/explore/stress/run.hpp"
+#include "sim/explore/stress/stress_batches.hpp"
 
 namespace rayclock::stress {
 

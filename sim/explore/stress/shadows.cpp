@@ -7,8 +7,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "model/unit/isect/origin.hpp"
-#include "model/unit/isect/tri.hpp"
+#include "model/unit/tri/origin.hpp"
+#include "model/unit/tri/tri.hpp"
 #include "sim/judge/oracle/visibility.hpp"
 
 namespace rayclock {

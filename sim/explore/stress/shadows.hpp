@@ -13,7 +13,7 @@ namespace rayclock {
 /// The origin of a secondary ray, where P is the exact hit on a triangle.
 struct OriginScheme {
     enum class Method {
-        surface,    ///< the machine's scheme: model/unit/isect/origin.hpp with `frac_bits`
+        surface,    ///< the machine's scheme: model/unit/tri/origin.hpp with `frac_bits`
         excluded,   ///< the lattice point nearest to P; the ray ignores the hit triangle
         pushed,     ///< that point, moved along the normal's main axis until it leaves the triangle's plane
         epsilon,    ///< P moved along the normal by 1e-4 of the lattice's extent, with 16 fraction bits

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string_view>
 
-#include "sim/explore/stress/run.hpp"
+#include "sim/explore/stress/stress_batches.hpp"
 
 namespace rayclock::stress {
 

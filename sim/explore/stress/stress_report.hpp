@@ -2,7 +2,7 @@
 // The results of a stress run as tables and as JSON.
 #include <nlohmann/json.hpp>
 
-#include "sim/explore/stress/run.hpp"
+#include "sim/explore/stress/stress_batches.hpp"
 
 namespace rayclock::stress {
 

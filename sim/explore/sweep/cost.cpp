@@ -4,8 +4,8 @@
 #include "model/base/error.hpp"
 #include "model/base/nearest.hpp"
 #include "sim/explore/fit/cost.hpp"
-#include "sim/explore/sweep/run.hpp"
-#include "sim/silicon/area/run.hpp"
+#include "sim/explore/sweep/evaluate_points.hpp"
+#include "sim/silicon/area/synthesise_units.hpp"
 #include "sim/silicon/synth/netlist.hpp"
 
 namespace rayclock::sweep {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/explore/sweep/cost.hpp"
-#include "sim/explore/sweep/run.hpp"
+#include "sim/explore/sweep/evaluate_points.hpp"
 
 namespace rayclock::sweep {
 

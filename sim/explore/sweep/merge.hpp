@@ -1,6 +1,6 @@
 #pragma once
 // Merges the reports of a sweep's parts.
-#include "sim/explore/sweep/run.hpp"
+#include "sim/explore/sweep/evaluate_points.hpp"
 #include "sim/explore/sweep/shard.hpp"
 
 namespace rayclock::sweep {

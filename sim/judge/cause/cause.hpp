@@ -24,7 +24,7 @@
 
 #include "model/base/progress.hpp"
 #include "model/scene/hit_shading.hpp"
-#include "sim/judge/paths/picture.hpp"
+#include "sim/judge/paths/judge_picture.hpp"
 
 namespace rayclock {
 

@@ -11,7 +11,7 @@
 #include "model/layout/tree.hpp"
 #include "model/trace/decoder.hpp"
 #include "model/trace/tree_walk.hpp"
-#include "model/unit/isect/tri.hpp"
+#include "model/unit/tri/tri.hpp"
 #include "model/unit/raygen/raygen.hpp"
 
 namespace rayclock {

@@ -1,7 +1,7 @@
 #pragma once
 // Exact ray-box overlap in 64-bit integers by cross-multiplication: without division, reciprocal or rounding.
-// It follows from the geometry alone and shares nothing with model/engine/bvh. Unlike exact.hpp it needs no
-// Boost and is fast enough for whole frames.
+// It follows from the geometry alone and shares nothing with model/engine/bvh. Unlike fractions.hpp of the
+// tests it needs no Boost and is fast enough for whole frames.
 #include <array>
 #include <cstdint>
 #include <optional>

@@ -1,7 +1,7 @@
 // Moves recorded requests to corners.
 #include "sim/run/elastic/corners.hpp"
 
-#include "model/unit/isect/sheared.hpp"
+#include "model/unit/tri/sheared.hpp"
 
 namespace rayclock {
 

@@ -13,7 +13,7 @@
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
 #include "model/machine/payload_replay.hpp"
-#include "model/unit/isect/tri.hpp"
+#include "model/unit/tri/tri.hpp"
 #include "sim/run/elastic/corners.hpp"
 #include "sim/run/elastic/dont_care.hpp"
 #include "sim/run/elastic/findings.hpp"

@@ -40,10 +40,10 @@ std::vector<std::string> units() {
 /// them without bodies), the models are in the RTL's folder.
 const std::vector<std::string> modelled_by_yosys{"LUT2", "LUT4", "CCU2C", "TRELLIS_FF", "TRELLIS_DPR16X4"};
 
-/// Returns the synthesis script of `rayclock chip` (sim/silicon/chip/run.cpp) without the last steps of
-/// synth_ecp5: `autoname` makes long names, and the tests run `check`. Then unused nets are removed, and
-/// vectors in units are split into bits. Otherwise a carry chain within one vector would look like a loop to
-/// Verilator.
+/// Returns the synthesis script of `rayclock chip` (sim/silicon/chip/place_and_route.cpp) without the last
+/// steps of synth_ecp5: `autoname` makes long names, and the tests run `check`. Then unused nets are removed,
+/// and vectors in units are split into bits. Otherwise a carry chain within one vector would look like a loop
+/// to Verilator.
 std::string script(const std::string& module) {
     std::string text = "hierarchy -check -top " + module_name(module);
     for (const auto& [name, value] : parameter_values(module))

@@ -162,7 +162,8 @@ void restore_modules() { replacements().clear(); }
 std::vector<RtlText> rtl_texts(RtlScope scope) {
     std::vector<fs::path> files = rtl_files();
     if (scope == RtlScope::chip)
-        std::erase_if(files, [](const fs::path& f) { return f.parent_path() == rtl_sources() / "board"; });
+        std::erase_if(
+            files, [](const fs::path& f) { return *f.lexically_relative(rtl_sources()).begin() == "board"; });
     files.insert(files.begin(), rtl_sources() / "lint.vlt");
     std::vector<RtlText> texts;
     std::set<std::string> taken{"rc_pkg.sv"};

@@ -97,8 +97,13 @@ std::string_view nth_line(std::string_view text, int line) {
 /// netlist may come from an equal copy of the sources in another folder.
 std::string same_source(const fs::path& path, const fs::path& sources) {
     std::error_code error;
-    for (const fs::path& name : {path.parent_path().filename() / path.filename(), path.filename()})
-        if (!path.empty() && fs::is_regular_file(sources / name, error)) return name.string();
+    const fs::path names = path.relative_path();
+    fs::path name;
+    for (auto first = names.end(); first != names.begin();) {   // of longer and longer ends of the path
+        --first;
+        name = name.empty() ? *first : *first / name;
+        if (fs::is_regular_file(sources / name, error)) return name.string();
+    }
     return {};
 }
 

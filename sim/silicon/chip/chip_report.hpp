@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/silicon/chip/run.hpp"
+#include "sim/silicon/chip/place_and_route.hpp"
 
 namespace rayclock::chip {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "sim/silicon/chip/run.hpp"
+#include "sim/silicon/chip/place_and_route.hpp"
 
 namespace rayclock::chip {
 

@@ -1,6 +1,6 @@
 #pragma once
 // Estimates the area and the clock of a chip from kept results of its units. Takes seconds.
-#include "sim/silicon/chip/run.hpp"
+#include "sim/silicon/chip/place_and_route.hpp"
 
 namespace rayclock::chip {
 

@@ -76,7 +76,7 @@ YosysFolder::YosysFolder(const fs::path& parent)
 bool YosysFolder::run(const Config& config, const std::string& read_flags, const std::string& script,
                       RtlScope scope) const {
     write("rc_pkg.sv", rc_package(config));
-    // RC_ECP5 maps products to the device's own blocks: rtl/fixed/rc_mul_limb.sv.
+    // RC_ECP5 maps products to the device's own blocks: rtl/fixed/multipliers/rc_mul_limb.sv.
     std::string commands =
         "read_verilog -lib +/ecp5/cells_sim.v +/ecp5/cells_bb.v\nread_verilog -sv rc_pkg.sv\n";
     // Copies the sources into this folder. Yosys names cells after files, and the results of ABC and of a

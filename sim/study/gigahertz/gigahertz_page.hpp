@@ -1,6 +1,6 @@
 #pragma once
 // The text and the picture of the page gigahertz.
-#include "sim/study/gigahertz/measure.hpp"
+#include "sim/study/gigahertz/measure_gigahertz.hpp"
 #include "sim/view/plot/drawing.hpp"
 
 namespace rayclock::gigahertz {

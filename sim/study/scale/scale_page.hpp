@@ -2,7 +2,7 @@
 // The text and the picture of the page scale.
 #include <nlohmann/json.hpp>
 
-#include "sim/study/scale/measure.hpp"
+#include "sim/study/scale/measure_scale.hpp"
 #include "sim/view/plot/drawing.hpp"
 
 namespace rayclock::scale {

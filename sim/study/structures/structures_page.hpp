@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/study/structures/measure.hpp"
+#include "sim/study/structures/measure_structures.hpp"
 #include "sim/view/plot/chart.hpp"
 
 namespace rayclock::structures {

@@ -2,7 +2,7 @@
 // The page about textures: its text, its pictures, and the figures as JSON.
 #include <nlohmann/json.hpp>
 
-#include "sim/study/textures/measure.hpp"
+#include "sim/study/textures/measure_textures.hpp"
 
 namespace rayclock::texture_study {
 

@@ -25,7 +25,7 @@ struct InputConnection {
 };
 
 struct ModuleText {
-    std::string file, name;           ///< "unit/isect/rc_tri.sv", "rc_tri"
+    std::string file, name;           ///< "unit/tri/rc_tri.sv", "rc_tri"
     std::vector<std::string> lines;   ///< unchanged
     std::vector<SignalDriver> drivers;
     std::vector<InputConnection> inputs;

@@ -9,7 +9,7 @@ namespace rayclock {
 
 /// A line of the Verilog sources.
 struct SourceLine {
-    std::string file;   ///< path in the folder of the sources: "unit/isect/rc_tri.sv"
+    std::string file;   ///< path in the folder of the sources: "unit/tri/rc_tri.sv"
     std::size_t line = 0;
     std::string text;
 };

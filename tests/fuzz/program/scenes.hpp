@@ -8,8 +8,8 @@
 namespace rayclock::fuzz {
 
 /// Small files may request a million times their size. The allowance is smaller here, so that an input takes
-/// a fraction of a second. tests/load/hostile_test.cpp tests the full allowance, and RC_FUZZ_LARGE also has
-/// it.
+/// a fraction of a second. tests/load/faulty/proportional_cost_test.cpp tests the full allowance, and
+/// RC_FUZZ_LARGE also has it.
 constexpr Allowance small_allowance{std::uint64_t{1} << 20, 256};
 
 enum class Finite {

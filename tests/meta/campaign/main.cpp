@@ -2,7 +2,7 @@
 //
 // rc_campaign rtl FOLDER SEED COUNT [ROWS]
 //     Draws faults of rtl/ and runs the torture set on each. With ROWS, the file in which CMake writes the
-//     rows of tests/meta/mutants_*.cmake, also on those.
+//     rows of tests/meta/mutants/*.cmake, also on those.
 // rc_campaign model FOLDER SEED COUNT BUILD [ROWS]
 //     The same for the model's arithmetic, compared with the sound RTL.
 // rc_campaign tests FOLDER BUILD PAGE quick|slow

@@ -1,5 +1,5 @@
 #pragma once
-// Rows of tests/meta/mutants_*.cmake, as CMake has written them into the build folder, as faults that a
+// Rows of tests/meta/mutants/*.cmake, as CMake has written them into the build folder, as faults that a
 // schema can hold.
 #include "tests/meta/campaign/schema.hpp"
 

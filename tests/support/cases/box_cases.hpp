@@ -1,6 +1,6 @@
 #pragma once
 // Requests for box, and the judgement of its answers by exact geometry.
-#include "sim/judge/oracle/exact.hpp"
+#include "tests/support/oracle/fractions.hpp"
 #include "tests/support/world/traffic.hpp"
 
 namespace rayclock::test {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "model/engine/spheres/globe.hpp"
-#include "sim/judge/oracle/exact.hpp"
+#include "tests/support/oracle/fractions.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "tests/support/cases/ends.hpp"
 #include "tests/support/world/traffic.hpp"

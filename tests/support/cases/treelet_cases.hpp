@@ -1,6 +1,6 @@
 #pragma once
 // Requests for treelet, and the judgement of its answers and of slant's by exact geometry.
-#include "sim/judge/oracle/exact.hpp"
+#include "tests/support/oracle/fractions.hpp"
 #include "tests/support/cases/ends.hpp"
 #include "tests/support/world/traffic.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 // Requests for tri, and the judgement of its answers by exact geometry.
-#include "model/unit/isect/sheared.hpp"
-#include "sim/judge/oracle/exact.hpp"
+#include "model/unit/tri/sheared.hpp"
+#include "tests/support/oracle/fractions.hpp"
 #include "tests/support/world/traffic.hpp"
 
 namespace rayclock::test {

@@ -7,7 +7,7 @@
 #include "model/engine/bvh/decode.hpp"
 #include "model/engine/bsp/slant.hpp"
 #include "model/core/layout.hpp"
-#include "model/unit/isect/vectors.hpp"
+#include "model/unit/tri/vectors.hpp"
 
 namespace rayclock {
 

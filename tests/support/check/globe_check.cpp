@@ -10,7 +10,7 @@
 #include "model/engine/bvh/decode.hpp"
 #include "model/engine/spheres/enclose.hpp"
 #include "model/core/layout.hpp"
-#include "model/unit/isect/vectors.hpp"
+#include "model/unit/tri/vectors.hpp"
 
 namespace rayclock {
 

@@ -9,7 +9,7 @@
 #include "model/engine/engines.hpp"
 #include "model/core/ring.hpp"
 #include "model/engine/check.hpp"
-#include "model/unit/isect/tri.hpp"
+#include "model/unit/tri/tri.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "model/engine/bvh/box.hpp"
 #include "model/engine/bsp/slant.hpp"

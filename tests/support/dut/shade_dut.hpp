@@ -1,7 +1,7 @@
 #pragma once
 #include <utility>
 
-#include "model/unit/shade/unit.hpp"
+#include "model/unit/shade/shade.hpp"
 #include "tests/support/dut/dut.hpp"
 #include "tests/support/cases/pass_cases.hpp"
 

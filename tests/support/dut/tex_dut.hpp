@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/unit/tex/texel.hpp"
-#include "model/unit/tex/unit.hpp"
+#include "model/unit/tex/tex.hpp"
 #include "tests/support/cases/tex_cases.hpp"
 #include "tests/support/dut/dut.hpp"
 

@@ -2,7 +2,7 @@
 // library could change a verdict.
 #include <catch2/catch.hpp>
 
-#include "sim/judge/oracle/exact.hpp"
+#include "tests/support/oracle/fractions.hpp"
 
 using rayclock::oracle::Int;
 using rayclock::oracle::Rational;

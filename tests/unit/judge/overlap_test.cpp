@@ -1,5 +1,5 @@
-// Compares the exact ray-box overlap in wide integers with the fractions of exact.hpp, and measures what the
-// machine's box test adds to it.
+// Compares the exact ray-box overlap in wide integers with the fractions of fractions.hpp, and measures what
+// the machine's box test adds to it.
 #include "sim/judge/oracle/extra_visits.hpp"
 #include "sim/judge/oracle/overlap.hpp"
 #include "model/compile/compile.hpp"

@@ -1,5 +1,5 @@
 // raygen: compares camera rays and reciprocal directions with exact fractions.
-#include "sim/judge/oracle/exact.hpp"
+#include "tests/support/oracle/fractions.hpp"
 #include "tests/support/world/traffic.hpp"
 
 namespace rayclock::test::raygen_test {

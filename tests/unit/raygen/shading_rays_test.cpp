@@ -1,7 +1,7 @@
 // raygen of a shading chip: rays of every kind, samples of a pixel, and the priority of requests.
 #include "model/compile/frame.hpp"
 #include "model/layout/memory_image.hpp"
-#include "sim/judge/oracle/exact.hpp"
+#include "tests/support/oracle/fractions.hpp"
 #include "model/scene/whitted.hpp"
 #include "tests/support/dut/raygen_dut.hpp"
 #include "tests/support/world/traffic.hpp"

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "model/unit/isect/test_primitive.hpp"
+#include "model/unit/tri/test_primitive.hpp"
 #include "model/unit/shade/approach.hpp"
 #include "model/unit/shade/dot.hpp"
 #include "model/unit/shade/light.hpp"

@@ -2,7 +2,7 @@
 // recorder as a whole must equal the walk.
 #include "model/compile/compile.hpp"
 #include "model/compile/frame.hpp"
-#include "model/unit/isect/facet.hpp"
+#include "model/unit/tri/facet.hpp"
 #include "model/engine/check.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/trace/record.hpp"

@@ -2,7 +2,7 @@
 // both by exact fractions.
 #include <catch2/catch.hpp>
 
-#include "sim/judge/oracle/exact.hpp"
+#include "tests/support/oracle/fractions.hpp"
 #include "model/engine/check.hpp"
 #include "model/unit/xform/xform.hpp"
 #include "tests/support/cases/placement_cases.hpp"

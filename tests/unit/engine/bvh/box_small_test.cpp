@@ -2,7 +2,7 @@
 // and the children's planes. Judged by exact overlap with cross-multiplication. The RTL must also equal the
 // model bit by bit. docs/proofs/boxes.md has the proof.
 #include "model/engine/bvh/encode.hpp"
-#include "model/unit/isect/tri.hpp"
+#include "model/unit/tri/tri.hpp"
 #include "tests/support/cases/small.hpp"
 
 using namespace rayclock;
