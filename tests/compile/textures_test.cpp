@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <set>
 
 #include <glm/geometric.hpp>
 
@@ -10,6 +11,7 @@
 #include "model/compile/compile.hpp"
 #include "model/compile/surfaces.hpp"
 #include "model/compile/textures.hpp"
+#include "model/layout/words.hpp"
 #include "model/scene/builtin.hpp"
 #include "tests/support/cases/tex_cases.hpp"
 

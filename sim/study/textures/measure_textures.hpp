@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "model/scene/hit_shading.hpp"
 #include "sim/run/request/request.hpp"
 
 namespace rayclock::texture_study {
