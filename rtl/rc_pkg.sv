@@ -17,16 +17,16 @@ package rc_pkg;
   localparam int unsigned MeshStructure = 0;
   localparam int unsigned NodeWidth = 8;
   localparam int unsigned StackDepth = 16;
-  localparam int unsigned Shading = 0;
+  localparam bit Shading = 0;
   localparam int unsigned Source = 0;
-  localparam int unsigned Spheres = 0;
-  localparam int unsigned Planes = 0;
-  localparam int unsigned Smooth = 0;
-  localparam int unsigned Refraction = 0;
+  localparam bit Spheres = 0;
+  localparam bit Planes = 0;
+  localparam bit Smooth = 0;
+  localparam bit Refraction = 0;
   localparam int unsigned Panes = 0;
-  localparam int unsigned Horizon = 0;
-  localparam int unsigned Supersampling = 0;
-  localparam int unsigned Textures = 0;
+  localparam bit Horizon = 0;
+  localparam bit Supersampling = 0;
+  localparam bit Textures = 0;
   localparam int unsigned Texels = 0;
   localparam int unsigned Lights = 8;
   localparam int unsigned Bounces = 5;
@@ -75,12 +75,12 @@ package rc_pkg;
   localparam int unsigned EdgeBits = 58;
   localparam int unsigned NumBits = 56;
   localparam int unsigned OriginBits = 0;
-  localparam int unsigned Shades = 0;
-  localparam int unsigned Streams = 0;
-  localparam int unsigned HasTextures = 0;
-  localparam int unsigned HasKinds = 0;
+  localparam bit HasShade = 0;
+  localparam bit IsStream = 0;
+  localparam bit HasTextures = 0;
+  localparam bit HasPrimKinds = 0;
   localparam int unsigned HoleBits = 6;
-  localparam int unsigned Homes = 0;
+  localparam bit HasHomes = 0;
   localparam int unsigned OriginWidth = 18;
   localparam int unsigned PointWidth = 18;
   localparam int unsigned ApproachShift = 0;
@@ -106,7 +106,7 @@ package rc_pkg;
   localparam int unsigned StrengthBits = 17;
   localparam int unsigned PlaneBits = 12;
   localparam int unsigned RootBits = 28;
-  localparam int unsigned MostFine = 4;
+  localparam int unsigned MaxFine = 4;
   localparam int unsigned SampleBits = 6;
   localparam int unsigned CoordinateBits = 28;
   localparam int unsigned CoordinateFrac = 20;
@@ -121,7 +121,7 @@ package rc_pkg;
   localparam int unsigned Clients = 2;
   localparam int unsigned GuardBits = 14;
   localparam int unsigned GuardDirBits = 34;
-  localparam int unsigned MostShift = 15;
+  localparam int unsigned MaxShift = 15;
   localparam int unsigned RayBits = 6;
   localparam int unsigned GroupBits = 4;
   localparam int unsigned SlotBits = 3;
@@ -148,8 +148,8 @@ package rc_pkg;
   localparam int unsigned ClientBits = 1;
   localparam int unsigned ClientIdBits = 4;
   localparam int unsigned MemIdBits = 4;
-  localparam int unsigned Cut = 0;
-  localparam int unsigned FarCut = 0;
+  localparam int unsigned PathCut = 0;
+  localparam int unsigned FarPathCut = 0;
   localparam int unsigned MulStages = 0;
   localparam int unsigned SlabPlanes = 2;
   localparam int unsigned SlabStages = 3;
@@ -195,10 +195,10 @@ package rc_pkg;
   localparam int unsigned TexFilterStages = 4;
   localparam int unsigned OctahedralSteps = 8;
   localparam int unsigned ShadeStages = 28;
-  localparam int unsigned ShadeCut = 0;
-  localparam int unsigned ShadeOut = 28;
-  localparam int unsigned ShadeParts = 1;
-  localparam int unsigned ShadeRead = 0;
+  localparam int unsigned PassCut = 0;
+  localparam int unsigned PassOutStage = 28;
+  localparam int unsigned PassParts = 1;
+  localparam int unsigned PassReadCycles = 0;
   localparam int unsigned ShadeLatency = 28;
   localparam int unsigned UnitStages = 8;
   localparam int unsigned PowerStages = 7;
@@ -1161,10 +1161,24 @@ package rc_pkg;
     logic [23:0] t;
     logic [16:0] u;
     logic [16:0] v;
-  } kept_hit_t;
-  localparam int unsigned KeptHitW = 90;
+  } stored_hit_t;
+  localparam int unsigned StoredHitW = 90;
 
-  // Parts that shade stores, and the groups of shade_state_t, in its order: model/unit/shade/state.hpp.
+  // Parts that raygen and xform delay: the fields of a ray that they do not change.
+
+  typedef struct packed {
+    logic [5:0] ray;
+  } spawn_tag_t;
+  localparam int unsigned SpawnTagW = 6;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [31:0] first;
+    logic [23:0] root;
+  } change_tag_t;
+  localparam int unsigned ChangeTagW = 62;
+
+  // Parts that shade stores: model/unit/shade/state.hpp.
 
   typedef struct packed {
     logic found;
@@ -1182,6 +1196,44 @@ package rc_pkg;
     logic [116:0] b;
   } shade_place_t;
   localparam int unsigned ShadePlaceW = 348;
+
+  typedef struct packed {
+    logic [23:0] here;
+    logic [206:0] a;
+    logic [116:0] b;
+  } instance_map_t;
+  localparam int unsigned InstanceMapW = 348;
+
+  typedef struct packed {
+    logic schlick;
+    logic [38:0] colour;
+    logic [38:0] other;
+    logic [12:0] ambient;
+    logic [12:0] diffuse;
+    logic [12:0] highlight;
+    logic [16:0] mirror;
+    logic [16:0] transmit;
+    logic [16:0] r0;
+    logic [13:0] shine;
+    logic [15:0] enter;
+    logic [15:0] leave;
+  } surface_material_t;
+  localparam int unsigned SurfaceMaterialW = 215;
+
+  typedef struct packed {
+    logic hole;
+    logic [38:0] colour;
+  } texel_t;
+  localparam int unsigned TexelW = 40;
+
+  typedef struct packed {
+    logic point;
+    logic inner;
+    logic face;
+    logic albedo;
+    logic share;
+  } shade_changes_t;
+  localparam int unsigned ShadeChangesW = 5;
 
   typedef struct packed {
     logic [13:0] x;
@@ -1216,9 +1268,13 @@ package rc_pkg;
     logic [116:0] n;
     logic is_far;
     logic is_lost;
-    logic [38:0] albedo;
   } shade_face_t;
-  localparam int unsigned ShadeFaceW = 158;
+  localparam int unsigned ShadeFaceW = 119;
+
+  typedef struct packed {
+    logic [38:0] albedo;
+  } shade_albedo_t;
+  localparam int unsigned ShadeAlbedoW = 39;
 
   typedef struct packed {
     logic [50:0] share;
@@ -1274,6 +1330,74 @@ package rc_pkg;
     logic is_inside;
   } material_t;
   localparam int unsigned MaterialW = 141;
+
+  // Requests that trav and list join from parts. The first two depend on the structure of the nodes.
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [122:0] ray_fields;
+    logic [500:0] node;
+  } decide_req_t;
+  localparam int unsigned DecideReqW = 630;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [122:0] ray_fields;
+    logic [500:0] node;
+  } mesh_req_t;
+  localparam int unsigned MeshReqW = 630;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [53:0] o;
+    logic [59:0] d;
+    logic [379:0] placement;
+  } xform_req_parts_t;
+  localparam int unsigned XformReqPartsW = 500;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [113:0] ray_fields;
+    logic [193:0] prim_data;
+    logic found;
+    logic [145:0] best;
+  } tri_req_parts_t;
+  localparam int unsigned TriReqPartsW = 461;
+
+  // A group of siblings on a ray's stack: all except the nearest, which was visited.
+
+  typedef struct packed {
+    logic [23:0] below;
+    logic [23:0] base;
+    logic [3:0] count;
+    logic [167:0] t_near;
+    logic [20:0] slot;
+  } stack_group_t;
+  localparam int unsigned StackGroupW = 241;
+
+  // The groups of shade_state_t and of material_t.
+
+  typedef struct packed {
+    logic [27:0] pixel;
+    logic [174:0] every;
+    logic [178:0] point;
+    logic [118:0] face;
+    logic [38:0] albedo;
+    logic [50:0] share;
+    logic [176:0] samples;
+    logic [4:0] waits;
+    logic [56:0] look;
+    logic [50:0] bend;
+    logic [32:0] self;
+  } shade_groups_t;
+  localparam int unsigned ShadeGroupsW = 914;
+
+  typedef struct packed {
+    logic [56:0] look;
+    logic [50:0] bend;
+    logic [32:0] self;
+  } material_groups_t;
+  localparam int unsigned MaterialGroupsW = 141;
 
   // What lies in lines of memory, in their lowest bits: model/engine/*/node.hpp, model/core/lines.hpp, docs/machine/chip.md.
 

@@ -87,12 +87,12 @@ module rc_raygen (
     .clk_i, .rst_ni, .req_valid_i(req_valid), .req_ready_o(req_ready), .occupied_i(occupied_o),
     .leave_i(ray_valid_o && ray_ready_i), .admit_o(admit), .valid_q_o(valid_q));
 
-  if (Every > 1) begin : gen_rests
+  if (Every > 1) begin : gen_occupied
     logic occupied_q;   // a register, because the sources that wait are far away
     assign occupied_o = occupied_q;
 
     always_ff @(posedge clk_i) occupied_q <= rst_ni && |valid[Every-2:0];
-  end else begin : gen_never
+  end else begin : gen_never_occupied
     assign occupied_o = 1'b0;
   end
 
@@ -215,32 +215,32 @@ module rc_raygen (
     .clk_i, .rst_ni, .enable_i(enable[Latency-1:Dir]), .valid_i(valid[Latency-1:Dir]),
     .data_i(dir_q), .data_o(end_dir));
 
-  if (rc_pkg::Shading) begin : gen_given
+  if (rc_pkg::Shading) begin : gen_spawned
     localparam int unsigned OriginWidth = rc_pkg::OriginWidth;
     localparam int unsigned N           = rc_pkg::CoordBits;
     logic [1:0]               kind, dir_kind_q, end_kind;
-    logic [3*OriginWidth-1:0] given_o, camera_o, new_o, dir_o_q, end_o;
-    logic [3*RayDirBits-1:0]  given_d;
+    logic [3*OriginWidth-1:0] spawn_o, camera_o, new_o, dir_o_q, end_o;
+    logic [3*RayDirBits-1:0]  spawn_d;
     logic                     is_camera;
 
     // The ray of a new pixel has neither field: it may carry those of a waiting ray, which costs no
     // gates.
     rc_interval_delay #(.Width(2 + 3 * (OriginWidth + RayDirBits)), .Stages(Dir - 1), .Every(Every))
-    u_given (
+    u_spawned (
       .clk_i, .rst_ni, .enable_i(enable[Dir-2:0]), .valid_i(valid[Dir-2:0]),
       .data_i({req.kind, spawn_i.o, spawn_i.d}),
-      .data_o({kind, given_o, given_d}));
+      .data_o({kind, spawn_o, spawn_d}));
 
     assign is_camera = kind == rc_pkg::RayCamera;
 
     for (genvar k = 0; k < 3; k++) begin : gen_eye
       assign new_dir[k*RayDirBits +: RayDirBits] = is_camera
                                                  ? RayDirBits'($signed(made_dir[k*M +: M]))
-                                                 : given_d[k*RayDirBits +: RayDirBits];
+                                                 : spawn_d[k*RayDirBits +: RayDirBits];
       assign camera_o[k*OriginWidth +: OriginWidth] = {eye[k*N +: N], {(OriginWidth-N){1'b0}}};
     end
 
-    assign new_o = is_camera ? camera_o : given_o;
+    assign new_o = is_camera ? camera_o : spawn_o;
     always_ff @(posedge clk_i) if (enable[Dir-1]) {dir_kind_q, dir_o_q} <= {kind, new_o};
 
     rc_interval_delay #(.Width(2 + 3 * OriginWidth), .Stages(Latency - Dir), .Every(Every)) u_head (

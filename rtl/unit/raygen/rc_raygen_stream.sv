@@ -36,12 +36,12 @@ module rc_raygen_stream (
     .occupied_i(occupied_o), .leave_i(ray_valid_o && ray_ready_i), .admit_o(admit),
     .valid_q_o(valid_q));
 
-  if (Every > 1) begin : gen_rests
+  if (Every > 1) begin : gen_occupied
     logic occupied_q;
     assign occupied_o = occupied_q;
 
     always_ff @(posedge clk_i) occupied_q <= rst_ni && |valid[Every-2:0];
-  end else begin : gen_never
+  end else begin : gen_never_occupied
     assign occupied_o = 1'b0;
   end
 

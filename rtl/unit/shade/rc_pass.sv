@@ -38,8 +38,7 @@ module rc_pass #(
   input  rc_pkg::waiting_t         top_i,
   // With two levels: the instance that was hit; line 0 if the ray is the same in it.
   input  rc_pkg::shade_place_t     place_i,
-  // With textures: the answer of tex, a hole or a colour
-  input  logic [3*ColourBits:0]    texel_i,
+  input  rc_pkg::texel_t           texel_i,    // with textures: the answer of tex
   // To rc_contexts: the hit surface's material at the start of a pass, and the state at its end
   output logic                        material_valid_o,
   output logic [RayBits-1:0]          material_ray_o,
@@ -47,23 +46,25 @@ module rc_pass #(
   output logic                        end_valid_o,
   output logic [RayBits-1:0]          end_ray_o,
   output rc_pkg::shade_state_t        end_state_o,
-  output logic [4:0]                  changes_o, // groups of end_state_o
-  output logic                        push_o,  // a ray must wait
-  output logic [rc_pkg::WaitingW-1:0] pushed_o,
+  output rc_pkg::shade_changes_t      changes_o,   // groups of end_state_o
+  output logic                        push_o,      // a ray must wait
+  output rc_pkg::waiting_t            pushed_o,
   // Outputs of the pass
-  output logic [1:0]                leave_o,  // rc_pkg::leave_e
-  output logic [rc_pkg::SpawnW-1:0] spawn_o,
-  output logic [rc_pkg::PixelW-1:0] pixel_o,
-  output logic [rc_pkg::TexReqW-1:0] tex_req_o
+  output logic [1:0]                  leave_o,     // rc_pkg::leave_e
+  output rc_pkg::spawn_t              spawn_o,
+  output rc_pkg::pixel_t              pixel_o,
+  output rc_pkg::tex_req_t            tex_req_o
 );
   localparam int unsigned Stages     = rc_pkg::ShadeStages;
   localparam int unsigned Every      = rc_pkg::ShadeInterval;
   localparam int unsigned N          = rc_pkg::CoordBits;
   localparam int unsigned NormalBits = rc_pkg::NormalBits;
   localparam int unsigned ToLightW   = rc_pkg::LightBits + rc_pkg::OriginBits + 1;
-  // Or a sum of corner normals.
+  // LongW: width of a vector to a light, or of a sum of corner normals.
   localparam int unsigned LongW      = ToLightW > NormalBits ? ToLightW : NormalBits;
+  // TurnW: width of a normal that a map has turned to the scene's space; 0 with one level.
   localparam int unsigned TurnW      = rc_pkg::HasHomes ? rc_pkg::MapBits + AxisBits + 2 : 0;
+  // UnitW: width of a vector that rc_angles makes a unit vector.
   localparam int unsigned UnitW      = LongW > TurnW ? LongW : TurnW;
 
   // The inputs of the end are ready before it. The end is computed in registers on the way.
@@ -75,26 +76,27 @@ module rc_pass #(
   // ---- Input: held if a pass stays for more than one cycle.
   logic                       valid;
   logic [RayBits-1:0]         ray;
-  rc_pkg::shade_state_t given, state;   // given: from rc_contexts. state: for the event of the pass
+  rc_pkg::shade_state_t       context_state;   // as rc_contexts stores it
+  rc_pkg::shade_state_t       state;           // for the event of the pass
   rc_pkg::shade_hit_t         hit;
   logic [3*OriginWidth-1:0]   o;
   logic [3*M-1:0]             d;
   rc_pkg::surface_t           surface;
-  rc_pkg::waiting_t           top_came;
-  rc_pkg::shade_place_t place;
-  logic [3*ColourBits:0]      texel;
+  rc_pkg::waiting_t           s0_top;
+  rc_pkg::shade_place_t       place;
+  rc_pkg::texel_t             texel;
 
   if (Every == 1) begin : gen_as_it_comes
-    assign valid    = valid_i;
-    assign ray      = ray_i;
-    assign given    = state_i;
-    assign hit      = hit_i;
-    assign o        = o_i;
-    assign d        = d_i;
-    assign surface  = surface_i;
-    assign top_came = top_i;
-    assign place    = place_i;
-    assign texel    = texel_i;
+    assign valid         = valid_i;
+    assign ray           = ray_i;
+    assign context_state = state_i;
+    assign hit           = hit_i;
+    assign o             = o_i;
+    assign d             = d_i;
+    assign surface       = surface_i;
+    assign s0_top        = top_i;
+    assign place         = place_i;
+    assign texel         = texel_i;
   end else begin : gen_held
     localparam int unsigned RayW = RayBits + rc_pkg::ShadeHitW + 3 * OriginWidth + 3 * M
                                  + rc_pkg::ShadePlaceW;
@@ -106,13 +108,13 @@ module rc_pass #(
       .data_o({ray, hit, o, d, place}));
 
     rc_shift_register #(.Width(rc_pkg::ShadeStateW + rc_pkg::SurfaceW), .Stages(1)) u_state (
-      .clk_i, .enable_i(valid_i), .data_i({state_i, surface_i}), .data_o({given, surface}));
+      .clk_i, .enable_i(valid_i), .data_i({state_i, surface_i}), .data_o({context_state, surface}));
 
-    rc_shift_register #(.Width(3 * ColourBits + 1), .Stages(1)) u_texel (
+    rc_shift_register #(.Width(rc_pkg::TexelW), .Stages(1)) u_texel (
       .clk_i, .enable_i(valid_i), .data_i(texel_i), .data_o(texel));
 
-    rc_shift_register #(.Width(rc_pkg::WaitingW), .Stages(1)) u_top_came (
-      .clk_i, .enable_i(valid), .data_i(top_i), .data_o(top_came));
+    rc_shift_register #(.Width(rc_pkg::WaitingW), .Stages(1)) u_s0_top (
+      .clk_i, .enable_i(valid), .data_i(top_i), .data_o(s0_top));
   end
 
   // ---- s0: with textures, a shadow ray may have met a cut-out. Then the pass requests the texture
@@ -123,23 +125,23 @@ module rc_pass #(
   if (rc_pkg::HasTextures) begin : gen_cutout
     logic repeats;
 
-    assign met_cutout = given.pending == rc_pkg::PendingAnswer && hit.found && hit.cutout;
-    assign repeats    = given.pending == rc_pkg::PendingTexture && texel[3*ColourBits]
-                     && given.light_holes != '1;
+    assign met_cutout = context_state.pending == rc_pkg::PendingAnswer && hit.found && hit.cutout;
+    assign repeats    = context_state.pending == rc_pkg::PendingTexture && texel.hole
+                     && context_state.light_holes != '1;
 
     always_comb begin
-      state = given;
+      state = context_state;
       if (repeats) begin
         state.next_event  = rc_pkg::EventLight;
-        state.light       = given.light - 7'd1;
-        state.light_holes = given.light_holes + 1'b1;
+        state.light       = context_state.light - 7'd1;
+        state.light_holes = context_state.light_holes + 1'b1;
       end else if (!met_cutout) begin
         state.light_holes = '0;
       end
     end
   end else begin : gen_no_cutout
     assign met_cutout = 1'b0;
-    assign state      = given;
+    assign state      = context_state;
   end
 
   // Event of the pass.
@@ -150,7 +152,7 @@ module rc_pass #(
   logic [TBits-1:0]            t;
   logic [UvBits-1:0]           u, v;
   logic [3*ValueBits-1:0]      colour;
-  rc_pkg::shade_state_t known;
+  rc_pkg::shade_state_t        s0_begin_state;   // after rc_pass_begin
   logic                        has_material;
 
   assign back = hit.back;
@@ -162,10 +164,9 @@ module rc_pass #(
     .valid_i(ends[0]), .cutout_i(met_cutout), .state_i(state), .hit_i(hit), .surface_i(surface),
     .surf_o(s0_surf), .light_o(s0_light), .bounce_o(s0_bounce), .refract_o(s0_refract),
     .transform_o(s0_transform), .texture_o(s0_texture), .end_o(s0_end), .colour_o(colour),
-    .has_material_o(has_material),
-    .material_o, .known_o(known));
+    .has_material_o(has_material), .material_o, .begin_state_o(s0_begin_state));
 
-  // immediately: inputs of several cycles stay stable
+  // The material leaves at once: inputs of several cycles stay stable.
   assign material_valid_o = valid && has_material;
   assign material_ray_o   = ray;
   assign s0_cutout        = ends[0] && met_cutout;
@@ -231,20 +232,21 @@ module rc_pass #(
   assign tone_at = surf_at | texture_at;
   assign sends_at = light_at | bounce_at | texture_at;
 
-  // ---- State known at the start of the pass: delayed to the end.
+  // ---- The state at the start of the pass, delayed to the end.
   logic                   goes_on, mirrors, transmits;  // goes_on: one cycle before the first stage
   logic [RayBits-1:0]     end_ray;                       // ends, with fewer loads
-  rc_pkg::shade_state_t begin_state;
+  rc_pkg::shade_state_t   begin_state;
   rc_pkg::waiting_t       top;
 
   assign goes_on = Every > 2 ? phase[Every < 2 ? 0 : Every-2] : ends[0];
 
-  rc_pass_state u_known (
-    .clk_i, .rst_ni, .enter_i(goes_on), .leave_i(ends[Out]), .ray_i(ray), .known_i(known),
-    .ray_o(end_ray), .begin_state_o(begin_state), .mirrors_o(mirrors), .transmits_o(transmits));
+  rc_pass_state u_begin_state (
+    .clk_i, .rst_ni, .enter_i(goes_on), .leave_i(ends[Out]), .ray_i(ray),
+    .s0_state_i(s0_begin_state), .ray_o(end_ray), .begin_state_o(begin_state),
+    .mirrors_o(mirrors), .transmits_o(transmits));
 
   rc_stage_delay #(.Width(rc_pkg::WaitingW), .Stages(Stages), .Parts(rc_pkg::PassParts)) u_top (
-    .clk_i, .rst_ni, .enter_i(goes_on), .leave_i(ends[Out]), .data_i(top_came),
+    .clk_i, .rst_ni, .enter_i(goes_on), .leave_i(ends[Out]), .data_i(s0_top),
     .data_o(top));
 
   // Vectors that are needed on the way.
@@ -293,7 +295,7 @@ module rc_pass #(
     .s0_t_i(t), .s0_back_i(back),
     .s0_surface_i(surface), .s0_o_i(o), .s0_d_i(d), .s0_weight_i(state.weight),
     .tone_valid_i(tone_at[6:0]), .s0_texture_i(s0_is_texture), .s0_albedo_i(albedo),
-    .s0_share_i(share), .s0_texel_i(texel[3*ColourBits-1:0]),
+    .s0_share_i(share), .s0_texel_i(texel.colour),
     .s5_o_o(s5_o), .s5_n_o(s5_n), .s5_toward_o(s5_toward), .s5_far_o(s5_far),
     .s5_lost_o(s5_lost),
     .s6_albedo_o(s6_albedo), .s7_ambient_o(s7_ambient));
@@ -328,7 +330,7 @@ module rc_pass #(
 
     rc_stage_delay #(.Width(1), .Stages(Out), .Parts(rc_pkg::PassParts)) u_hole (
       .clk_i, .rst_ni, .enter_i(s0_texture), .leave_i(texture_at[Out]),
-      .data_i(texel[3*ColourBits]), .data_o(end_hole));
+      .data_i(texel.hole), .data_o(end_hole));
 
     rc_path_length u_path_length (
       .clk_i, .valid_i(surf_at[2:0]), .s1_phase_i(phase[Every +: Every]),
@@ -370,7 +372,7 @@ module rc_pass #(
     assign {surf_path, face_u, face_v, end_hole, s15_old_d} = '0;
 
     logic unused;
-    assign unused = texel[3*ColourBits];
+    assign unused = texel.hole;
   end
 
   // ---- Unit vectors and cosines.
@@ -420,8 +422,8 @@ module rc_pass #(
                      && (rc_pkg::HasHomes ? transform_q_at[14] : surf_q[14]);
 
     rc_stage_delay #(.Width(1), .Stages(13)) u_inside (
-      .clk_i, .rst_ni, .enter_i(face_at[0]), .leave_i(face_at[13]), .data_i(known.is_inside),
-      .data_o(s13_inside));
+      .clk_i, .rst_ni, .enter_i(face_at[0]), .leave_i(face_at[13]),
+      .data_i(s0_begin_state.is_inside), .data_o(s13_inside));
 
     rc_octahedral u_octahedral (
       .clk_i, .leaves_13_i(leaves_13), .s13_normal_i(rc_pkg::HasHomes ? s13_normal : s13_unit),

@@ -52,9 +52,9 @@ module rc_xform (
 
   assign admit = req_valid_i && req_ready_o;
 
-  if (rc_pkg::XformInterval == 1) begin : gen_always
+  if (rc_pkg::XformInterval == 1) begin : gen_never_occupied
     assign occupied_o = 1'b0;
-  end else begin : gen_rest
+  end else begin : gen_occupied
     localparam int unsigned LeftW = $clog2(rc_pkg::XformInterval);
     logic [LeftW-1:0] left_q;
 
@@ -132,18 +132,18 @@ module rc_xform (
 
   logic [3*FactorW-1:0] moved_o, moved_d;   // as wide as the wider of the two
   for (genvar i = 0; i < 6; i++) begin : gen_sum
-    logic [SumW-1:0]    rest, first_q, second_q;
+    logic [SumW-1:0]    addend, first_q, second_q;
     logic [SumW-1:0]    total;
     logic [FactorW-1:0] moved_q, home, rounded;
 
     if (i < 3) begin : gen_point
-      assign rest = made_b[i*SumW +: SumW];
+      assign addend = made_b[i*SumW +: SumW];
       assign moved_o[i*FactorW +: FactorW] = moved_q;
       assign home = FactorW'($signed(home_o[i*OriginWidth +: OriginWidth]));
       assign rounded = sum_shadow ? total[MapFrac +: FactorW] >> OriginBits << OriginBits
                      : total[MapFrac +: FactorW];
     end else begin : gen_direction
-      assign rest = Half;
+      assign addend = Half;
       assign moved_d[(i-3)*FactorW +: FactorW] = moved_q;
       assign home = FactorW'($signed(home_d[(i-3)*RayDirBits +: RayDirBits]));
       assign rounded = total[MapFrac +: FactorW];
@@ -155,7 +155,7 @@ module rc_xform (
       if (valid[Made]) begin
         first_q  <= SumW'($signed(product[3*i*ProductW +: ProductW]))
                   + SumW'($signed(product[(3*i+1)*ProductW +: ProductW]));
-        second_q <= SumW'($signed(product[(3*i+2)*ProductW +: ProductW])) + rest;
+        second_q <= SumW'($signed(product[(3*i+2)*ProductW +: ProductW])) + addend;
       end
       if (valid[Made+1]) moved_q <= at_home ? home : rounded;
     end
