@@ -1049,6 +1049,14 @@ package rc_pkg;
   localparam int unsigned StartW = 6;
 
   typedef struct packed {
+    logic [1:0] axis;
+    logic neg;
+    logic [19:0] size;
+    logic [39:0] slope;
+  } shear_t;
+  localparam int unsigned ShearW = 63;
+
+  typedef struct packed {
     logic [23:0] base;
     logic [3:0] inner;
     logic [191:0] t_near;
@@ -1164,12 +1172,17 @@ package rc_pkg;
   } stored_hit_t;
   localparam int unsigned StoredHitW = 90;
 
-  // Parts that raygen and xform delay: the fields of a ray that they do not change.
+  // Fields of a ray that raygen and xform delay unchanged, and that trav stores for xform.
 
   typedef struct packed {
     logic [5:0] ray;
   } spawn_tag_t;
   localparam int unsigned SpawnTagW = 6;
+
+  typedef struct packed {
+    logic [59:0] d;
+  } xform_ray_t;
+  localparam int unsigned XformRayW = 60;
 
   typedef struct packed {
     logic [5:0] ray;
@@ -1331,7 +1344,7 @@ package rc_pkg;
   } material_t;
   localparam int unsigned MaterialW = 141;
 
-  // Requests that trav and list join from parts. The first two depend on the structure of the nodes.
+  // Requests for nodes, whose fields depend on the structure, and the ray in them; list's request.
 
   typedef struct packed {
     logic [5:0] ray;
@@ -1341,6 +1354,12 @@ package rc_pkg;
   localparam int unsigned DecideReqW = 630;
 
   typedef struct packed {
+    logic [53:0] o;
+    logic [68:0] others;
+  } decide_ray_t;
+  localparam int unsigned DecideRayW = 123;
+
+  typedef struct packed {
     logic [5:0] ray;
     logic [122:0] ray_fields;
     logic [500:0] node;
@@ -1348,12 +1367,10 @@ package rc_pkg;
   localparam int unsigned MeshReqW = 630;
 
   typedef struct packed {
-    logic [5:0] ray;
     logic [53:0] o;
-    logic [59:0] d;
-    logic [379:0] placement;
-  } xform_req_parts_t;
-  localparam int unsigned XformReqPartsW = 500;
+    logic [68:0] others;
+  } mesh_ray_t;
+  localparam int unsigned MeshRayW = 123;
 
   typedef struct packed {
     logic [5:0] ray;

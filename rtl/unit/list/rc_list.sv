@@ -479,9 +479,14 @@ module rc_list (
   assign prim_data.c    = prim_rsp_i.c;
   assign prim_data.prim = prim_number;
 
-  // tri_req_t has the members of these records, in this order.
-  assign tri_req_o = {prim_rsp_i.ray, tri_ray, prim_data, tri_found,
-                      tri_found ? tri_best : {BestW{1'b0}}};
+  rc_pkg::tri_req_parts_t tri_req;
+
+  assign tri_req.ray        = prim_rsp_i.ray;
+  assign tri_req.ray_fields = tri_ray;
+  assign tri_req.prim_data  = prim_data;
+  assign tri_req.found      = tri_found;
+  assign tri_req.best       = tri_found ? tri_best : '0;
+  assign tri_req_o          = tri_req;
 
   // ---- The answer for a ray that trav has finished. It is read much later, and its memory is
   // placed far from the other state of a hit.

@@ -31,7 +31,6 @@ module rc_raygen (
   localparam int unsigned R1           = rc_pkg::RecipBits + 1;
   localparam int unsigned PixelBits    = rc_pkg::PixelBits;
   localparam int unsigned ExpBits      = rc_pkg::ExpBits;
-  localparam int unsigned RayBits      = rc_pkg::RayBits;
   localparam int unsigned Every        = rc_pkg::RaygenInterval;
   localparam int unsigned SampleL      = rc_pkg::Supersampling ? rc_pkg::SampleStages : 0;
   localparam int unsigned SubBits      = rc_pkg::Supersampling ? rc_pkg::SubPixelBits : 0;
@@ -101,11 +100,46 @@ module rc_raygen (
 
   assign enable = valid | {(Latency+1){rc_pkg::PathCut != 0}};
 
-  logic [RayBits-1:0] end_ray;
+  // Fields of the request that the ray takes unchanged: its number, the set of primitives that it
+  // tests, and its home. This record omits members that the chip does not have.
+  localparam int unsigned TagW = rc_pkg::SpawnTagW;
+  rc_pkg::ray_t       new_ray;
+  rc_pkg::spawn_tag_t s0_tag, end_tag;
+  logic [TagW-1:0]    end_tag_flat;
 
-  rc_interval_delay #(.Width(RayBits), .Stages(Latency), .Every(Every)) u_ray (
+  rc_interval_delay #(.Width(TagW), .Stages(Latency), .Every(Every)) u_tag (
     .clk_i, .rst_ni, .enable_i(enable[Latency-1:0]), .valid_i(valid[Latency-1:0]),
-    .data_i(req.ray), .data_o(end_ray));
+    .data_i(s0_tag), .data_o(end_tag_flat));
+
+  assign end_tag     = end_tag_flat;
+  assign s0_tag.ray  = req.ray;
+  assign new_ray.ray = end_tag.ray;
+
+  if (rc_pkg::HasTextures) begin : gen_holes
+    assign s0_tag.holes  = req.holes;
+    assign new_ray.holes = end_tag.holes;
+  end
+
+  if (rc_pkg::Planes) begin : gen_partial
+    assign s0_tag.is_partial  = req.is_partial;
+    assign new_ray.is_partial = end_tag.is_partial;
+  end
+
+  if (rc_pkg::Spheres) begin : gen_self
+    assign s0_tag.self       = req.self;
+    assign s0_tag.is_inside  = req.is_inside;
+    assign new_ray.self      = end_tag.self;
+    assign new_ray.is_inside = end_tag.is_inside;
+  end
+
+  if (rc_pkg::HasHomes) begin : gen_home
+    assign s0_tag.home    = req.home;
+    assign s0_tag.home_o  = req.home_o;
+    assign s0_tag.home_d  = req.home_d;
+    assign new_ray.home   = end_tag.home;
+    assign new_ray.home_o = end_tag.home_o;
+    assign new_ray.home_d = end_tag.home_d;
+  end
 
   // Position in the picture, in pixels with SubBits of fraction, at the start of stage SampleL.
   logic [rc_pkg::FrameW-1:0]   frame_flat;
@@ -206,9 +240,6 @@ module rc_raygen (
     .clk_i, .enable_i(enable[Dir-2:Step]), .sum_i(sum), .dir_o(made_dir));
 
   // Direction and origin are delayed to match the reciprocals.
-  localparam int unsigned HeadW = rc_pkg::RayW - RayBits - 3 * (RayDirBits + R1 + ExpBits);
-  logic [HeadW-1:0] end_head;   // fields of ray_t between number and direction
-
   always_ff @(posedge clk_i) if (enable[Dir-1]) dir_q <= new_dir;
 
   rc_interval_delay #(.Width(3 * RayDirBits), .Stages(Latency - Dir), .Every(Every)) u_dir (
@@ -250,79 +281,50 @@ module rc_raygen (
 
     assign is_short = dir_kind_q != rc_pkg::RayShadow;
 
-    // The fields that select the primitives that the ray tests stay as they came.
-    localparam int unsigned TagW = HeadW - 2 - 3 * OriginWidth;
-    if (TagW != 0) begin : gen_tag
-      localparam int unsigned HomeW = rc_pkg::HasHomes
-                                    ? rc_pkg::AddrBits + 3 * (OriginWidth + RayDirBits) : 0;
-      localparam int unsigned HolesW = rc_pkg::HasTextures ? rc_pkg::HoleBits : 0;
-      logic [TagW-1:0] req_tag, holes, asks, home, end_tag;
-
-      assign req_tag = holes | asks << HomeW | home;
-
-      if (rc_pkg::HasTextures) begin : gen_holes
-        assign holes = TagW'(req.holes) << (TagW - HolesW);
-      end else begin : gen_no_holes
-        assign holes = '0;
-      end
-
-      if (rc_pkg::HasHomes) begin : gen_home
-        assign home = TagW'({req.home, req.home_o, req.home_d});
-      end else begin : gen_no_home
-        assign home = '0;
-      end
-
-      if (rc_pkg::Planes && rc_pkg::Spheres) begin : gen_both
-        assign asks = TagW'({req.is_partial, req.self, req.is_inside});
-      end else if (rc_pkg::Planes) begin : gen_planes
-        assign asks = TagW'(req.is_partial);
-      end else if (rc_pkg::Spheres) begin : gen_spheres
-        assign asks = TagW'({req.self, req.is_inside});
-      end else begin : gen_triangles
-        assign asks = '0;
-      end
-
-      rc_interval_delay #(.Width(TagW), .Stages(Latency), .Every(Every)) u_tag (
-        .clk_i, .rst_ni, .enable_i(enable[Latency-1:0]), .valid_i(valid[Latency-1:0]),
-        .data_i(req_tag), .data_o(end_tag));
-
-      assign end_head = {end_kind, end_tag, end_o};
-    end else begin : gen_no_tag
-      assign end_head = {end_kind, end_o};
-    end
+    assign new_ray.kind = end_kind;
+    assign new_ray.o    = end_o;
   end else begin : gen_camera
     logic unused;
-    assign unused   = ^{req};
-    assign new_dir  = made_dir;
-    assign is_short = 1'b1;
+    assign unused    = ^{req};
+    assign new_dir   = made_dir;
+    assign is_short  = 1'b1;
+    assign new_ray.o = eye;
 
     // The sheared triangle test needs slopes as well.
     if (rc_pkg::PrimitiveTest == rc_pkg::TestSheared) begin : gen_sheared
-      localparam int unsigned ShearW = 3 * M + 3;
+      localparam int unsigned ShearW = rc_pkg::ShearW;
       localparam int unsigned SlopeL = rc_pkg::SlopeStages;
-      logic [ShearW-1:0] made, shear;
+      logic [ShearW-1:0] made, shear_flat;
+      rc_pkg::shear_t    shear;
 
       rc_slope u_slope (.clk_i, .enable_i(enable[Dir]), .d_i(dir_q), .shear_o(made));
 
       if (Latency - Dir == SlopeL) begin : gen_last
-        assign shear = made;
+        assign shear_flat = made;
       end else begin : gen_wait
         rc_shift_register #(.Width(ShearW), .Stages(Latency - Dir - SlopeL)) u_made (
-          .clk_i, .enable_i(enable[Latency-1:Dir+SlopeL]), .data_i(made), .data_o(shear));
+          .clk_i, .enable_i(enable[Latency-1:Dir+SlopeL]), .data_i(made), .data_o(shear_flat));
       end
-      assign end_head = {shear, eye};
-    end else begin : gen_plain
-      assign end_head = eye;
+
+      assign shear         = shear_flat;
+      assign new_ray.axis  = shear.axis;
+      assign new_ray.neg   = shear.neg;
+      assign new_ray.size  = shear.size;
+      assign new_ray.slope = shear.slope;
+
     end
   end
 
   // Result queue.
   logic                    queue_ready;
-  logic [rc_pkg::RayW-1:0] queue_data, ray_data;
+  logic [rc_pkg::RayW-1:0] ray_data;
 
-  assign queue_data = {end_ray, end_head, end_dir, recip, len};
+  assign new_ray.d     = end_dir;
+  assign new_ray.recip = recip;
+  assign new_ray.len   = len;
+
   rc_fifo #(.Width(rc_pkg::RayW), .Depth(rc_pkg::RaygenQueue)) u_queue (
-    .clk_i, .rst_ni, .valid_i(valid_q[Latency-1]), .ready_o(queue_ready), .data_i(queue_data),
+    .clk_i, .rst_ni, .valid_i(valid_q[Latency-1]), .ready_o(queue_ready), .data_i(new_ray),
     .valid_o(ray_valid_o), .ready_i(ray_ready_i), .data_o(ray_data));
 
   assign ray_o = ray_data;

@@ -42,7 +42,8 @@ module rc_dispatch (
 
   assign give         = more_q && tile_ready_i != '0;
   assign tile_fires_o = {{(Pipelines-1){1'b0}}, give} << to;
-  assign tile_o       = {x_q, y_q};
+  assign tile_o.x     = x_q;
+  assign tile_o.y     = y_q;
   assign cause_o      = give ? rc_pkg::DispatchBusyWork
                       : more_q ? rc_pkg::DispatchStalledSched : rc_pkg::DispatchStarvedFrame;
 

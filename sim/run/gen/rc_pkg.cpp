@@ -274,21 +274,15 @@ template <class Payload> int width_of(const Config& config, std::vector<std::str
 /// Adds records that show a payload as a few parts.
 void group_records(Package& p, const Config& c) {
     const int ray = c.ray_bits();
-    const auto node_request = [&](const char* name, Structure structure) {
+    const auto node_request = [&](const std::string& name, Structure structure) {
         const int node = node_bits(c, structure), bits = bits_on(node_unit(structure).req, c);
-        p.groups(name, {{"ray", ray}, {"ray_fields", bits - ray - node}, {"node", node}}, bits);
+        const int fields = bits - ray - node, o = 3 * c.origin_width();
+        p.groups((name + "_req").c_str(), {{"ray", ray}, {"ray_fields", fields}, {"node", node}}, bits);
+        p.groups((name + "_ray").c_str(), {{"o", o}, {"others", fields - o}}, fields);
     };
-    p.say("Requests that trav and list join from parts. The first two depend on the structure of the nodes.");
-    node_request("decide_req", c.engine());
-    node_request("mesh_req", c.lower_engine());
-    const int home = bits_of<Home>(c), o = 3 * c.origin_width(), d = 3 * c.ray_dir_bits();
-    p.groups("xform_req_parts",
-             {{"ray", ray},
-              {"kind_and_home", home > 0 ? 2 + home : 0},
-              {"o", o},
-              {"d", d},
-              {"placement", bits_of<Placement>(c)}},
-             bits_of<XformReq>(c));
+    p.say("Requests for nodes, whose fields depend on the structure, and the ray in them; list's request.");
+    node_request("decide", c.engine());
+    node_request("mesh", c.lower_engine());
     const int primitive = bits_of<PrimData>(c), best = bits_of<Best>(c) - 1, tri = bits_of<TriReq>(c);
     p.groups("tri_req_parts",
              {{"ray", ray},
@@ -340,9 +334,10 @@ void parts(Package& p, const Config& config) {
     p.part<TriReq>("best", {"best_num", "best_det", "best_prim"});
     p.part<Closest>("stored_hit", {"cutout", "back", "prim", "t", "u", "v"});
 
-    p.say("Parts that raygen and xform delay: the fields of a ray that they do not change.");
+    p.say("Fields of a ray that raygen and xform delay unchanged, and that trav stores for xform.");
     p.part<Spawn>("spawn_tag",
                   {"ray", "holes", "is_partial", "self", "is_inside", "home", "home_o", "home_d"});
+    p.part<XformReq>("xform_ray", {"kind", "home", "home_o", "home_d", "d"});
     p.part<Change>("change_tag", {"ray", "kind", "first", "root", "here"});
 
     p.say("Parts that shade stores: model/unit/shade/state.hpp.");
@@ -660,6 +655,7 @@ std::string rc_package(const Config& config) {
     p.record<NodeRsp>("node_rsp");
     p.record<PrimRsp>("prim_rsp");
     p.record<Start>("start");
+    p.record<Shear>("shear");
     p.record<Children>("children");
     p.record<Done>("done");
     p.record<Pixel>("pixel");
