@@ -202,6 +202,14 @@ package rc_pkg;
   localparam int unsigned ShadeLatency = 28;
   localparam int unsigned UnitStages = 8;
   localparam int unsigned PowerStages = 7;
+  localparam int unsigned StageToward = 5;
+  localparam int unsigned StageWeight = 9;
+  localparam int unsigned StageUnit = 13;
+  localparam int unsigned StageCosine = 15;
+  localparam int unsigned StageHome = 19;
+  localparam int unsigned StagePower = 17;
+  localparam int unsigned StagePhong = 24;
+  localparam int unsigned StageLit = 26;
 
   // What holds the scene.
   typedef enum logic [31:0] {

@@ -73,10 +73,10 @@ module rc_pass_begin #(
   assign old_share  = state_i.share;
 
   for (genvar k = 0; k < 3; k++) begin : gen_channel
-    logic [17:0] sum;
-    assign sum = {1'b0, old_colour[k*ValueBits +: ValueBits]}
-               + (adds ? {1'b0, old_share[k*ValueBits +: ValueBits]} : '0);
-    assign colour_o[k*ValueBits +: ValueBits] = sum[17:16] != '0 ? rc_pkg::ValueOne : sum[16:0];
+    rc_add_saturated u_sum (
+      .a_i(old_colour[k*ValueBits +: ValueBits]),
+      .b_i(adds ? old_share[k*ValueBits +: ValueBits] : '0),
+      .sum_o(colour_o[k*ValueBits +: ValueBits]));
   end
 
   // The state.

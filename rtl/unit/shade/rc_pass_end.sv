@@ -122,11 +122,9 @@ module rc_pass_end #(
     .clk_i, .data_i(surf_i || texture_now ? surf_ambient_i : background_i), .data_o(added));
 
   for (genvar k = 0; k < 3; k++) begin : gen_channel
-    logic [17:0] sum;
-
-    assign sum = {1'b0, begin_colour[k*ValueBits +: ValueBits]}
-               + {1'b0, added[k*ValueBits +: ValueBits]};
-    assign colour[k*ValueBits +: ValueBits] = sum[17:16] != '0 ? rc_pkg::ValueOne : sum[16:0];
+    rc_add_saturated u_sum (
+      .a_i(begin_colour[k*ValueBits +: ValueBits]), .b_i(added[k*ValueBits +: ValueBits]),
+      .sum_o(colour[k*ValueBits +: ValueBits]));
   end
 
   // ---- The next event, after a surface or a light.

@@ -538,6 +538,20 @@ void tex_and_shade_stages(Package& p, const Config& c) {
     p.constant("ShadeLatency", c.shade_latency());
     p.constant("UnitStages", unit_stages);
     p.constant("PowerStages", power_stages);
+    // The stages of a pass in which these are ready: the vectors that become unit vectors, the unit vectors,
+    // their cosines, the base of a highlight's power, the power, the light's reflected part. With two levels
+    // also the new ray in the space of its mesh. StageWeight has the weight of the next ray.
+    constexpr int toward = 5, unit = toward + unit_stages, cosine = unit + 2, power = cosine + 2;
+    constexpr int phong = power + power_stages, lit = phong + 2;
+    if (lit + 2 != stages.pass) throw std::logic_error("a pass has other stages");
+    p.constant("StageToward", toward);
+    p.constant("StageWeight", 9);
+    p.constant("StageUnit", unit);
+    p.constant("StageCosine", cosine);
+    p.constant("StageHome", cosine + 4);
+    p.constant("StagePower", power);
+    p.constant("StagePhong", phong);
+    p.constant("StageLit", lit);
 }
 
 /// Adds widths and latencies that follow from the parameters.
