@@ -209,14 +209,14 @@ module rc_raygen (
     // Their sum with the corner. rc_direction makes the direction from all three axes.
     assign s1_corner = GuardSumW'($signed(corner[k*GuardDirBits +: GuardDirBits])) <<< SubBits;
     // In a simulation, a sum without a ray costs no work.
-    logic asks;
+    logic computes;
 `ifdef SYNTHESIS
-    assign asks = 1'b1;
+    assign computes = 1'b1;
 `else
-    assign asks = enable[Step];
+    assign computes = enable[Step];
 `endif
 
-    assign sum[k*GuardSumW +: GuardSumW] = asks ? s1_corner + s1_right_q + s1_down_q : '0;
+    assign sum[k*GuardSumW +: GuardSumW] = computes ? s1_corner + s1_right_q + s1_down_q : '0;
 
     logic [R1+ExpBits-1:0] made;
     rc_recip #(.Every(Every)) u_recip (

@@ -32,7 +32,7 @@ module rc_bounce #(
 );
   localparam int unsigned ProductW = 2 * ValueBits;   // product of two values
   localparam int unsigned ShareW   = ValueBits + 1;                                   // up to 2
-  // As in rc_snell, signed.
+  // AlongW: width of rc_snell's s13_along_o, signed.
   localparam int unsigned AlongW   = RatioBits - rc_pkg::IndexFrac + ValueBits + 2;
   localparam int unsigned NormalW  = AlongW + AxisBits;   // along * normal
   localparam int unsigned ViewW    = RatioBits + 1 + AxisBits;   // ratio * view
