@@ -617,5 +617,5 @@ mutant(tex_cutout_with_the_scale_of_the_surface FILE rtl/unit/shade/rc_shade.sv 
   NEW [[.scale_fires_i(stores_instance),]])
 mutant(tex_material_of_the_instance_keeps_the_texture FILE rtl/unit/shade/rc_shade.sv TEST torture
   ${torture_light}
-  OLD [[if (has_material_q[line_ray]) surface_found.record]]
-  NEW [[if (has_material_q[line_ray] && 1'b0) surface_found.record]])
+  OLD [[if (has_material) surface_found.record]]
+  NEW [[if (has_material && 1'b0) surface_found.record]])

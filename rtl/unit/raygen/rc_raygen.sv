@@ -104,6 +104,7 @@ module rc_raygen (
   // tests, and its home. This record omits members that the chip does not have.
   localparam int unsigned TagW = rc_pkg::SpawnTagW;
   rc_pkg::ray_t       new_ray;
+  rc_pkg::shear_t     shear;   // of the sheared test
   rc_pkg::spawn_tag_t s0_tag, end_tag;
   logic [TagW-1:0]    end_tag_flat;
 
@@ -246,6 +247,13 @@ module rc_raygen (
     .clk_i, .rst_ni, .enable_i(enable[Latency-1:Dir]), .valid_i(valid[Latency-1:Dir]),
     .data_i(dir_q), .data_o(end_dir));
 
+  if (rc_pkg::PrimitiveTest != rc_pkg::TestSheared) begin : gen_no_shear
+    assign shear = '0;
+
+    logic unused;
+    assign unused = ^shear;
+  end
+
   if (rc_pkg::Shading) begin : gen_spawned
     localparam int unsigned OriginWidth = rc_pkg::OriginWidth;
     localparam int unsigned N           = rc_pkg::CoordBits;
@@ -295,7 +303,6 @@ module rc_raygen (
       localparam int unsigned ShearW = rc_pkg::ShearW;
       localparam int unsigned SlopeL = rc_pkg::SlopeStages;
       logic [ShearW-1:0] made, shear_flat;
-      rc_pkg::shear_t    shear;
 
       rc_slope u_slope (.clk_i, .enable_i(enable[Dir]), .d_i(dir_q), .shear_o(made));
 

@@ -151,6 +151,26 @@ module rc_shade (
   assign surface_line  = rc_pkg::SurfaceW'(surf_rsp);
   assign instance_line = rc_pkg::PlacementW'(surf_rsp);
 
+  // The material of an instance, for all its primitives.
+  localparam int unsigned MaterialW = rc_pkg::SurfaceMaterialW;
+  rc_pkg::surface_material_t new_material, material;
+  logic [MaterialW-1:0]      material_flat;
+  logic                      has_material;   // the surface's instance has a material
+
+  assign new_material.schlick   = surface_line.schlick;
+  assign new_material.colour    = surface_line.colour;
+  assign new_material.other     = surface_line.other;
+  assign new_material.ambient   = surface_line.ambient;
+  assign new_material.diffuse   = surface_line.diffuse;
+  assign new_material.highlight = surface_line.highlight;
+  assign new_material.mirror    = surface_line.mirror;
+  assign new_material.transmit  = surface_line.transmit;
+  assign new_material.r0        = surface_line.r0;
+  assign new_material.shine     = surface_line.shine;
+  assign new_material.enter     = surface_line.enter;
+  assign new_material.leave     = surface_line.leave;
+  assign material               = material_flat;
+
   logic                 arrived_valid, arrived_pop;
   logic [RayBits-1:0]   arrived_ray;
 
@@ -172,10 +192,11 @@ module rc_shade (
     assign instance_accepted = 1'b0;
     assign line_accepted     = 1'b0;
     assign place_data        = '0;
-    assign surface_found     = surface_line;
+    assign material_flat     = '0;
+    assign has_material      = 1'b0;
 
     logic unused;
-    assign unused = ^{instance_line, line_accepted, closest_place};
+    assign unused = ^{instance_line, line_accepted, closest_place, new_material};
   end else begin : gen_fetch_twice
     logic [Contexts-1:0]         awaits_instance_q, awaits_material_q;
     logic [Contexts-1:0]         has_material_q;   // the context's last instance has a material
@@ -228,58 +249,11 @@ module rc_shade (
       .clk_i, .write_i(instance_accepted), .write_addr_i(line_ray), .write_data_i(surface_addr),
       .read_addr_i(line_ray), .read_data_o(stored_addr));
 
-    // A material for all primitives of the instance replaces the surface's own, and its texture:
-    // Surface::with_material() in model/core/lines.hpp.
-    localparam int unsigned MaterialW = rc_pkg::SurfaceMaterialW;
-    rc_pkg::surface_material_t new_material, material;
-    logic [MaterialW-1:0]      material_flat;
-    rc_pkg::surface_t          with_material;
-
-    assign new_material.schlick   = surface_line.schlick;
-    assign new_material.colour    = surface_line.colour;
-    assign new_material.other     = surface_line.other;
-    assign new_material.ambient   = surface_line.ambient;
-    assign new_material.diffuse   = surface_line.diffuse;
-    assign new_material.highlight = surface_line.highlight;
-    assign new_material.mirror    = surface_line.mirror;
-    assign new_material.transmit  = surface_line.transmit;
-    assign new_material.r0        = surface_line.r0;
-    assign new_material.shine     = surface_line.shine;
-    assign new_material.enter     = surface_line.enter;
-    assign new_material.leave     = surface_line.leave;
-
     rc_ram #(.Width(MaterialW), .Depth(Contexts)) u_material (
       .clk_i, .write_i(line_accepted && line_is_material), .write_addr_i(line_ray),
       .write_data_i(new_material), .read_addr_i(line_ray), .read_data_o(material_flat));
 
-    assign material = material_flat;
-
-    always_comb begin
-      with_material = surface_line;
-      if (has_material_q[line_ray]) begin
-        with_material.schlick   = material.schlick;
-        with_material.colour    = material.colour;
-        with_material.other     = material.other;
-        with_material.ambient   = material.ambient;
-        with_material.diffuse   = material.diffuse;
-        with_material.highlight = material.highlight;
-        with_material.mirror    = material.mirror;
-        with_material.transmit  = material.transmit;
-        with_material.r0        = material.r0;
-        with_material.shine     = material.shine;
-        with_material.enter     = material.enter;
-        with_material.leave     = material.leave;
-      end
-    end
-
-    if (rc_pkg::HasTextures) begin : gen_without_texture
-      always_comb begin
-        surface_found = with_material;
-        if (has_material_q[line_ray]) surface_found.record = '0;
-      end
-    end else begin : gen_no_texture
-      assign surface_found = with_material;
-    end
+    assign has_material = has_material_q[line_ray];
 
     rc_ram #(.Width(AddrBits), .Depth(Contexts)) u_prim (
       .clk_i, .write_i(answers), .write_addr_i(closest_ray),
@@ -308,6 +282,37 @@ module rc_shade (
   end
 
   assign surface_arrived = surf_rsp_valid_i && !line_is_instance;
+
+  // An instance's material replaces the surface's own, and its texture: Surface::with_material() in
+  // model/core/lines.hpp.
+  rc_pkg::surface_t with_material;
+
+  always_comb begin
+    with_material = surface_line;
+    if (has_material) begin
+      with_material.schlick   = material.schlick;
+      with_material.colour    = material.colour;
+      with_material.other     = material.other;
+      with_material.ambient   = material.ambient;
+      with_material.diffuse   = material.diffuse;
+      with_material.highlight = material.highlight;
+      with_material.mirror    = material.mirror;
+      with_material.transmit  = material.transmit;
+      with_material.r0        = material.r0;
+      with_material.shine     = material.shine;
+      with_material.enter     = material.enter;
+      with_material.leave     = material.leave;
+    end
+  end
+
+  if (rc_pkg::HasTextures) begin : gen_without_texture
+    always_comb begin
+      surface_found = with_material;
+      if (has_material) surface_found.record = '0;
+    end
+  end else begin : gen_no_texture
+    assign surface_found = with_material;
+  end
 
   // Rays that need no surface.
   rc_queue #(.Width(RayBits), .Depth(Contexts)) u_arrived (
@@ -388,8 +393,8 @@ module rc_shade (
     assign pass_ray = ray;
     assign surface  = surface_found;
   end else begin : gen_read
-    logic [RayBits-1:0] ray_q;
-    rc_pkg::surface_t   surface_q;
+    logic [RayBits-1:0]          ray_q;
+    logic [rc_pkg::SurfaceW-1:0] surface_q;
 
     always_ff @(posedge clk_i) begin
       if (enters) ray_q     <= ray;

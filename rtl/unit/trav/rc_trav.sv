@@ -126,6 +126,9 @@ module rc_trav (
   // ---- Nodes from memory, with their rays.
   logic [rc_pkg::NodeRspW-1:0] node_rsp;   // {ray, node}: the node's format is unknown here
   rc_pkg::decide_req_t         decide_req;
+  rc_pkg::mesh_req_t           mesh_req;
+  rc_pkg::xform_ray_t          new_xform_ray, xform_ray;   // what xform needs, without the origin
+  rc_pkg::xform_req_t          xform_req;
 
   assign node_rsp        = node_rsp_i;
   assign decide_req.ray  = node_rsp_i.ray;
@@ -140,13 +143,14 @@ module rc_trav (
     assign mesh_req_o            = '0;
     assign xform_req_valid_o     = 1'b0;
     assign xform_req_o           = '0;
+    assign {mesh_req, new_xform_ray, xform_ray, xform_req} = '0;
 
     logic unused;
-    assign unused = xform_req_ready_i ^ mesh_req_ready_i;
+    assign unused = ^{xform_req_ready_i, mesh_req_ready_i, mesh_req, new_xform_ray, xform_ray,
+                      xform_req};
   end else begin : gen_instances
     localparam int unsigned XformRayW = rc_pkg::XformRayW;
     localparam int unsigned MeshRayW  = rc_pkg::MeshRayW;
-    rc_pkg::xform_ray_t   new_xform_ray, xform_ray;   // what xform needs in addition to the origin
     logic [XformRayW-1:0] xform_ray_flat;
     logic                 mesh_fields_valid, mesh_is_short, in_mesh, is_instance;
     logic [RayBits-1:0]   mesh_fields_ray;
@@ -189,13 +193,12 @@ module rc_trav (
       assign decide_req_valid_o    = node_rsp_valid_i && !is_instance;
       assign node_rsp_ready_o      = is_instance ? xform_req_ready_i : decide_req_ready_i;
       assign mesh_req_valid_o      = 1'b0;
+      assign mesh_req              = '0;
       assign mesh_req_o            = '0;
 
       logic unused;
-      assign unused = mesh_req_ready_i;
+      assign unused = ^{mesh_req_ready_i, mesh_req};
     end else begin : gen_own
-      rc_pkg::mesh_req_t mesh_req;
-
       assign mesh_req.ray        = node_rsp_i.ray;
       assign mesh_req.ray_fields = mesh_ray_fields;
       assign mesh_req.node       = node_rsp[rc_pkg::MeshNodeBits-1:0];
@@ -209,8 +212,6 @@ module rc_trav (
     end
 
     // The fields of the instance lie lowest in a request.
-    rc_pkg::xform_req_t xform_req;
-
     always_comb begin
       xform_req     = rc_pkg::XformReqW'(node_rsp[rc_pkg::PlacementW-1:0]);
       xform_req.ray = node_rsp_i.ray;
