@@ -202,6 +202,14 @@ package rc_pkg;
   localparam int unsigned ShadeLatency = 28;
   localparam int unsigned UnitStages = 8;
   localparam int unsigned PowerStages = 7;
+  localparam int unsigned StageToward = 5;
+  localparam int unsigned StageWeight = 9;
+  localparam int unsigned StageUnit = 13;
+  localparam int unsigned StageCosine = 15;
+  localparam int unsigned StageHome = 19;
+  localparam int unsigned StagePower = 17;
+  localparam int unsigned StagePhong = 24;
+  localparam int unsigned StageLit = 26;
 
   // What holds the scene.
   typedef enum logic [31:0] {
@@ -1049,6 +1057,14 @@ package rc_pkg;
   localparam int unsigned StartW = 6;
 
   typedef struct packed {
+    logic [1:0] axis;
+    logic neg;
+    logic [19:0] size;
+    logic [39:0] slope;
+  } shear_t;
+  localparam int unsigned ShearW = 63;
+
+  typedef struct packed {
     logic [23:0] base;
     logic [3:0] inner;
     logic [191:0] t_near;
@@ -1161,10 +1177,29 @@ package rc_pkg;
     logic [23:0] t;
     logic [16:0] u;
     logic [16:0] v;
-  } kept_hit_t;
-  localparam int unsigned KeptHitW = 90;
+  } stored_hit_t;
+  localparam int unsigned StoredHitW = 90;
 
-  // Parts that shade stores, and the groups of shade_state_t, in its order: model/unit/shade/state.hpp.
+  // Fields of a ray that raygen and xform delay unchanged, and that trav stores for xform.
+
+  typedef struct packed {
+    logic [5:0] ray;
+  } spawn_tag_t;
+  localparam int unsigned SpawnTagW = 6;
+
+  typedef struct packed {
+    logic [59:0] d;
+  } xform_ray_t;
+  localparam int unsigned XformRayW = 60;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [31:0] first;
+    logic [23:0] root;
+  } change_tag_t;
+  localparam int unsigned ChangeTagW = 62;
+
+  // Parts that shade stores: model/unit/shade/state.hpp.
 
   typedef struct packed {
     logic found;
@@ -1182,6 +1217,44 @@ package rc_pkg;
     logic [116:0] b;
   } shade_place_t;
   localparam int unsigned ShadePlaceW = 348;
+
+  typedef struct packed {
+    logic [23:0] here;
+    logic [206:0] a;
+    logic [116:0] b;
+  } instance_map_t;
+  localparam int unsigned InstanceMapW = 348;
+
+  typedef struct packed {
+    logic schlick;
+    logic [38:0] colour;
+    logic [38:0] other;
+    logic [12:0] ambient;
+    logic [12:0] diffuse;
+    logic [12:0] highlight;
+    logic [16:0] mirror;
+    logic [16:0] transmit;
+    logic [16:0] r0;
+    logic [13:0] shine;
+    logic [15:0] enter;
+    logic [15:0] leave;
+  } surface_material_t;
+  localparam int unsigned SurfaceMaterialW = 215;
+
+  typedef struct packed {
+    logic hole;
+    logic [38:0] colour;
+  } texel_t;
+  localparam int unsigned TexelW = 40;
+
+  typedef struct packed {
+    logic point;
+    logic inner;
+    logic face;
+    logic albedo;
+    logic share;
+  } shade_changes_t;
+  localparam int unsigned ShadeChangesW = 5;
 
   typedef struct packed {
     logic [13:0] x;
@@ -1216,9 +1289,13 @@ package rc_pkg;
     logic [116:0] n;
     logic is_far;
     logic is_lost;
-    logic [38:0] albedo;
   } shade_face_t;
-  localparam int unsigned ShadeFaceW = 158;
+  localparam int unsigned ShadeFaceW = 119;
+
+  typedef struct packed {
+    logic [38:0] albedo;
+  } shade_albedo_t;
+  localparam int unsigned ShadeAlbedoW = 39;
 
   typedef struct packed {
     logic [50:0] share;
@@ -1274,6 +1351,78 @@ package rc_pkg;
     logic is_inside;
   } material_t;
   localparam int unsigned MaterialW = 141;
+
+  // Requests for nodes, whose fields depend on the structure, and the ray in them; list's request.
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [122:0] ray_fields;
+    logic [500:0] node;
+  } decide_req_t;
+  localparam int unsigned DecideReqW = 630;
+
+  typedef struct packed {
+    logic [53:0] o;
+    logic [68:0] others;
+  } decide_ray_t;
+  localparam int unsigned DecideRayW = 123;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [122:0] ray_fields;
+    logic [500:0] node;
+  } mesh_req_t;
+  localparam int unsigned MeshReqW = 630;
+
+  typedef struct packed {
+    logic [53:0] o;
+    logic [68:0] others;
+  } mesh_ray_t;
+  localparam int unsigned MeshRayW = 123;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [113:0] ray_fields;
+    logic [193:0] prim_data;
+    logic found;
+    logic [145:0] best;
+  } tri_req_parts_t;
+  localparam int unsigned TriReqPartsW = 461;
+
+  // A group of siblings on a ray's stack: all except the nearest, which was visited.
+
+  typedef struct packed {
+    logic [23:0] below;
+    logic [23:0] base;
+    logic [3:0] count;
+    logic [167:0] t_near;
+    logic [20:0] slot;
+  } stack_group_t;
+  localparam int unsigned StackGroupW = 241;
+
+  // The groups of shade_state_t and of material_t.
+
+  typedef struct packed {
+    logic [27:0] pixel;
+    logic [174:0] every;
+    logic [178:0] point;
+    logic [118:0] face;
+    logic [38:0] albedo;
+    logic [50:0] share;
+    logic [176:0] samples;
+    logic [4:0] waits;
+    logic [56:0] look;
+    logic [50:0] bend;
+    logic [32:0] self;
+  } shade_groups_t;
+  localparam int unsigned ShadeGroupsW = 914;
+
+  typedef struct packed {
+    logic [56:0] look;
+    logic [50:0] bend;
+    logic [32:0] self;
+  } material_groups_t;
+  localparam int unsigned MaterialGroupsW = 141;
 
   // What lies in lines of memory, in their lowest bits: model/engine/*/node.hpp, model/core/lines.hpp, docs/machine/chip.md.
 

@@ -55,7 +55,7 @@ module rc_top #(
 
   rc_dispatch u_dispatch (
     .clk_i, .rst_ni(shared_rst_n), .start_i, .frame_i,
-    .want_i(tile_ready), .tile_fires_o(tile_fires), .tile_o(tile), .cause_o(dispatch_cause));
+    .tile_ready_i(tile_ready), .tile_fires_o(tile_fires), .tile_o(tile), .cause_o(dispatch_cause));
 
   // ---- Pipelines. Their caches are clients of memory: client Clients p reads nodes, the
   // next one primitives, the next one surfaces if the chip shades, or records of a stream. The

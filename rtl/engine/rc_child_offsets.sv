@@ -26,12 +26,12 @@ module rc_child_offsets #(
 );
 
   // In a simulation of a relaxed chip, invalid nodes cost no work. Silicon has no such condition.
-  logic [1:0] asks;
+  logic [1:0] computes;
 
 `ifdef SYNTHESIS
-  assign asks = '1;
+  assign computes = '1;
 `else
-  assign asks = enable_i;
+  assign computes = enable_i;
 `endif
 
   // s1: kinds, lines of inner children, triangles of the first four children.
@@ -46,7 +46,7 @@ module rc_child_offsets #(
     count    = '0;
     lines    = '0;
     half     = '0;
-    if (asks[0]) begin
+    if (computes[0]) begin
       for (int i = 0; i < NodeWidth; i++) begin
         is_inner[i] = kind_i[i*CountBits +: CountBits] == CountBits'(1);
         is_leaf[i]  = kind_i[i*CountBits +: CountBits] > CountBits'(1);
@@ -80,7 +80,7 @@ module rc_child_offsets #(
     start  = '0;
     beside = '0;
     exits  = '0;
-    if (asks[1]) begin
+    if (computes[1]) begin
       for (int i = 0; i < NodeWidth; i++) begin
         if (i % 4 == 0) beside = '0;
         start = i < 4 ? lines_q : lines_q + half_q;

@@ -37,12 +37,12 @@ module rc_rank #(
   localparam int unsigned Cut    = rc_pkg::PathCut;
 
   // In a simulation of a relaxed chip, invalid keys cost no work. Silicon has no such condition.
-  logic asks;
+  logic computes;
 
 `ifdef SYNTHESIS
-  assign asks = 1'b1;
+  assign computes = 1'b1;
 `else
-  assign asks = Cut != 0 || enable_i[0];
+  assign computes = Cut != 0 || enable_i[0];
 `endif
 
   // Number of inner children and of leaves that are met.
@@ -51,7 +51,7 @@ module rc_rank #(
   always_comb begin
     s0_inners = '0;
     s0_leaves = '0;
-    if (asks) begin
+    if (computes) begin
       for (int i = 0; i < NodeWidth; i++) begin
         s0_leaves = s0_leaves + {{(GroupBits-1){1'b0}}, s0_hit_i[i] && s0_leaf_i[i]};
         s0_inners = s0_inners + {{(GroupBits-1){1'b0}}, s0_hit_i[i] && !s0_leaf_i[i]};
@@ -71,7 +71,7 @@ module rc_rank #(
 
       if (l == 0) begin : gen_first
         rc_path_register #(.Width(KeyW)) u_key (
-          .clk_i, .data_i(asks ? {!s0_hit_i[i], s0_leaf_i[i], s0_near_i[i*TBits +: TBits],
+          .clk_i, .data_i(computes ? {!s0_hit_i[i], s0_leaf_i[i], s0_near_i[i*TBits +: TBits],
                                   s0_offset_i[i*OffsetBits +: OffsetBits],
                                   s0_count_i[i*CountBits +: CountBits]} : '0),
           .data_o(key));

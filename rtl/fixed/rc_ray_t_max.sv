@@ -33,7 +33,7 @@ module rc_ray_t_max #(
 
   // written: the memory holds the ray's value. shadow: the ray ends at the surface.
   logic [Contexts-1:0]        written, shadow;
-  logic [TBits-1:0]           kept, kept_then;
+  logic [TBits-1:0]           stored, s1_stored;
   logic                       was_written, was_shadow;
   logic [rc_pkg::RayBits-1:0] start_ray;
 
@@ -42,7 +42,7 @@ module rc_ray_t_max #(
   // Not block RAM, even for many rays: its data would come too late for the comparison.
   (* ram_style = "distributed" *) logic [TBits-1:0] t_mem [Contexts < 2 ? 2 : Contexts];
 
-  assign kept = t_mem[read_ray_i];
+  assign stored = t_mem[read_ray_i];
 
   always_ff @(posedge clk_i) if (write_i) t_mem[write_ray_i] <= write_t_i;
 
@@ -70,15 +70,15 @@ module rc_ray_t_max #(
   rc_bit_select #(.Flags(Contexts)) u_was_written (
     .clk_i, .flags_i(written), .index_i(read_ray_i), .flag_o(was_written));
 
-  rc_path_register #(.Width(TBits)) u_kept (.clk_i, .data_i(kept), .data_o(kept_then));
+  rc_path_register #(.Width(TBits)) u_s1_stored (.clk_i, .data_i(stored), .data_o(s1_stored));
 
-  assign read_t_o = was_written ? kept_then : was_shadow ? SurfaceT : '1;
+  assign read_t_o = was_written ? s1_stored : was_shadow ? SurfaceT : '1;
 
   // Comparisons with both candidates, then the selection.
   for (genvar i = 0; i < Nears; i++) begin : gen_near
     logic [TBits-1:0] near;
     assign near        = near_i[i*TBits +: TBits];
-    assign within_o[i] = was_written ? near <= kept_then : !was_shadow || near <= SurfaceT;
+    assign within_o[i] = was_written ? near <= s1_stored : !was_shadow || near <= SurfaceT;
   end
 
   logic unused;

@@ -44,18 +44,18 @@ module rc_host #(
   localparam int unsigned CounterW   = rc_pkg::CounterBits;
 
   // ---- Bus access: its registers hold the address and the data until the answer.
-  logic        taken_q, ack_q, err_q, we_q, asks, fires, writes, good;
+  logic        accepted_q, ack_q, err_q, we_q, req_valid, fires, writes, good;
   logic [AddrW-1:0] adr_q;
   logic [31:0] dat_q, read, read_q;
 
-  assign asks   = wb_cyc_i && wb_stb_i && !taken_q && !ack_q && !err_q;
-  assign fires  = taken_q && wb_cyc_i && wb_stb_i;
-  assign writes = fires && we_q && good;
+  assign req_valid = wb_cyc_i && wb_stb_i && !accepted_q && !ack_q && !err_q;
+  assign fires     = accepted_q && wb_cyc_i && wb_stb_i;
+  assign writes    = fires && we_q && good;
 
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) {taken_q, ack_q, err_q} <= '0;
-    else         {taken_q, ack_q, err_q} <= {asks, fires && good, fires && !good};
-    if (asks) begin
+    if (!rst_ni) {accepted_q, ack_q, err_q} <= '0;
+    else         {accepted_q, ack_q, err_q} <= {req_valid, fires && good, fires && !good};
+    if (req_valid) begin
       we_q  <= wb_we_i;
       adr_q <= wb_adr_i;
       dat_q <= wb_dat_i;
@@ -70,7 +70,7 @@ module rc_host #(
   // ---- Frame.
   typedef enum logic [1:0] {StPrepare, StIdle, StStart, StRun} state_e;
   state_e       state_q;
-  logic         wanted_q, done_q, start_q, goes, ends, is_idle;
+  logic         start_pending_q, done_q, start_q, goes, ends, is_idle;
   logic [3:0]   step_q;
   logic [31:0]  left_q, left_less;   // pixels
   logic         some_q;              // there are pixels
@@ -94,18 +94,18 @@ module rc_host #(
   // With a stream it loads ray_count instead.
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      state_q  <= StPrepare;
-      wanted_q <= 1'b0;
-      done_q   <= 1'b0;
-      step_q   <= '0;
-      left_q   <= '0;
+      state_q         <= StPrepare;
+      start_pending_q <= 1'b0;
+      done_q          <= 1'b0;
+      step_q          <= '0;
+      left_q          <= '0;
     end else begin
       if (state_q == StPrepare) begin
         step_q <= step_q + 1'b1;
-        if (wanted_q) left_q <= prepared;
-        if (step_q == '1) state_q <= wanted_q ? StStart : StIdle;
+        if (start_pending_q) left_q <= prepared;
+        if (step_q == '1) state_q <= start_pending_q ? StStart : StIdle;
       end else if (state_q == StIdle) begin
-        wanted_q <= goes;
+        start_pending_q <= goes;
         if (goes) begin
           state_q <= StPrepare;
           done_q  <= 1'b0;
@@ -119,7 +119,7 @@ module rc_host #(
   end
 
   always_ff @(posedge clk_i)
-    start_q <= rst_ni && state_q == StPrepare && step_q == '1 && wanted_q && some_q;
+    start_q <= rst_ni && state_q == StPrepare && step_q == '1 && start_pending_q && some_q;
   always_ff @(posedge clk_i) begin   // the frame does not change in StPrepare
     some_q <= has_some;
   end

@@ -195,21 +195,21 @@ module rc_cache #(
     .drain_way_o(drain_way), .drain_i(drain));
 
   // ---- Misses: requests for words, line by line.
-  logic             line_asked;
+  logic             line_requested;
   logic [MshrW-1:0] miss_mshr;
   logic [LineW-1:0] miss_line;
 
   rc_queue #(.Width(MshrW + LineW), .Depth(Mshrs)) u_misses (
     .clk_i, .rst_ni, .push_i(miss), .data_i({free, line}),
-    .valid_o(miss_valid_o), .pop_i(line_asked), .data_o({miss_mshr, miss_line}));
+    .valid_o(miss_valid_o), .pop_i(line_requested), .data_o({miss_mshr, miss_line}));
 
   if (Words == 1) begin : gen_miss_line
-    assign line_asked = miss_valid_o && miss_ready_i;
-    assign miss_o     = {miss_mshr, miss_line};
+    assign line_requested = miss_valid_o && miss_ready_i;
+    assign miss_o         = {miss_mshr, miss_line};
   end else begin : gen_miss_word
     logic [WordW-1:0] word_q;
-    assign line_asked = miss_valid_o && miss_ready_i && word_q == WordW'(Words - 1);
-    assign miss_o     = {miss_mshr, word_q, miss_line, word_q};
+    assign line_requested = miss_valid_o && miss_ready_i && word_q == WordW'(Words - 1);
+    assign miss_o         = {miss_mshr, word_q, miss_line, word_q};
 
     always_ff @(posedge clk_i) begin
       if (!rst_ni) word_q <= '0;
@@ -247,7 +247,7 @@ module rc_cache #(
                               : place(set, line_way, read_word);
   assign fill_at   = place(fill_set, fill_way, fill_id_i[WordW-1:0] & WordW'(Words - 1));
 
-  rc_credit_counter #(.Credits(Queue)) u_door (
+  rc_credit_counter #(.Credits(Queue)) u_credits (
     .clk_i, .rst_ni, .admit_i(admit), .leave_i(rsp_valid_o && rsp_ready_i), .open_o(open));
 
   always_ff @(posedge clk_i) begin
@@ -313,16 +313,16 @@ module rc_cache #(
     a_word_is_there: assert (read_at != fill_at)
     else $error("a word is read while it comes");
 
-  logic [(1<<IdBits)-1:0] asked_q;   // ids between request and answer
+  logic [(1<<IdBits)-1:0] pending_q;   // ids between request and answer
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) asked_q <= '0;
+    if (!rst_ni) pending_q <= '0;
     else begin
-      if (rsp_valid_o && rsp_ready_i) asked_q[rsp_o[PartW +: IdBits]] <= 1'b0;
-      if (req_valid_i && req_ready_o) asked_q[req_i[ReqAW +: IdBits]] <= 1'b1;
+      if (rsp_valid_o && rsp_ready_i) pending_q[rsp_o[PartW +: IdBits]] <= 1'b0;
+      if (req_valid_i && req_ready_o) pending_q[req_i[ReqAW +: IdBits]] <= 1'b1;
     end
   end
   always_ff @(posedge clk_i) if (rst_ni && req_valid_i && req_ready_o)
-    a_id_is_free: assert (!asked_q[req_i[ReqAW +: IdBits]])
+    a_id_is_free: assert (!pending_q[req_i[ReqAW +: IdBits]])
     else $error("a request with the id of one that is not answered");
 `endif
 

@@ -170,18 +170,18 @@ module rc_tags #(
 
     assign tree_set = rst_ni ? late_set : clear_q & SetW'(Sets - 1);
 
-    logic [Ways-1:0] recent, recent_d, kept, late_recent;
+    logic [Ways-1:0] recent, recent_d, stored, late_recent;
 
     rc_ram #(.Width(Ways), .Depth(Sets)) u_recent (
       .clk_i, .write_i(!rst_ni || touched), .write_addr_i(tree_set),
       .write_data_i(rst_ni ? late_recent : '0), .read_addr_i(ahead_set_i),
-      .read_data_o(kept));
+      .read_data_o(stored));
 
     rc_path_register #(.Width(Ways), .Stages(Cut)) u_recent_late (
       .clk_i, .data_i(recent_d), .data_o(late_recent));
 
     if (Cut == 0) begin : gen_at_once
-      assign recent  = kept;
+      assign recent  = stored;
       assign touched = touch_i;
 
     end else begin : gen_ahead
@@ -193,7 +193,7 @@ module rc_tags #(
         else         touched_q <= touch_i;
         if (load_i)
           recent_q <= touch_i && same_set ? recent_d
-                    : touched_q && same_late ? late_recent : kept;
+                    : touched_q && same_late ? late_recent : stored;
       end
 
       assign recent  = recent_q;

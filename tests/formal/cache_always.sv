@@ -165,7 +165,7 @@ module cache_always (
   // Every open request is in one place: queue, chain, s1 or answers; with the right address or
   // data.
   (* hierconn *) wire       \u_dut.s1_valid_q , \u_dut.gen_part[0].u_data.read_q ;
-  (* hierconn *) wire [1:0] \u_dut.s1_id_q , \u_dut.u_door.in_flight_q ;
+  (* hierconn *) wire [1:0] \u_dut.s1_id_q , \u_dut.u_credits.in_flight_q ;
   logic       places_ok, s1_valid;
   logic [2:0] places;
   assign s1_valid = \u_dut.s1_valid_q ;
@@ -273,8 +273,8 @@ module cache_always (
   end
   always @* if (rst_ni) begin
     t_queues: assert (in_n <= 2 && ans_n <= 2 && miss_n <= 2 && fill_n <= 2);
-    t_door:   assert ({1'b0, \u_dut.u_door.in_flight_q } == {1'b0, ans_n} + s1_valid &&
-        \u_dut.u_door.in_flight_q <= 2'd2);
+    t_door:   assert ({1'b0, \u_dut.u_credits.in_flight_q } == {1'b0, ans_n} + s1_valid &&
+        \u_dut.u_credits.in_flight_q <= 2'd2);
     t_lines:  assert (lines_ok);
     t_chains: assert (chains_ok);
     t_store:  assert (store_ok);

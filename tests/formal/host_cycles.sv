@@ -66,13 +66,13 @@ module host_cycles (
 
   // ---- Ties to the inside, as an induction needs them.
   (* hierconn *) wire [31:0] \u_dut.high_q ;
-  (* hierconn *) wire        \u_dut.taken_q ;
+  (* hierconn *) wire        \u_dut.accepted_q ;
   (* hierconn *) wire [rc_pkg::RegAddrBits-1:0] \u_dut.adr_q ;
   (* hierconn *) wire        \u_dut.we_q ;
   always @* begin
     t_same:   assert (begun_q == 2'd0 || count_q == \u_dut.cycles_q );
     t_begun:  assert (begun_q == 2'd2 || !some_q);
-    t_access: assert (begun_q != 2'd2 || !(\u_dut.taken_q || wb_ack_o) ||
+    t_access: assert (begun_q != 2'd2 || !(\u_dut.accepted_q || wb_ack_o) ||
                       (cyc_q && !answered_q && \u_dut.adr_q == adr_q && \u_dut.we_q == we_q));
     t_high:   assert (begun_q != 2'd2 || !some_q || reads_low ||
         \u_dut.high_q == {{(64-TallyBits){1'b0}}, read_q[TallyBits-1:32]});

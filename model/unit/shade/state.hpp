@@ -126,6 +126,19 @@ struct ShadeState {
     }
 };
 
+/// The groups of a context's state that a pass has changed. A chip writes only these, and the group that
+/// every pass changes.
+struct ShadeChanges {
+    std::uint32_t point = 0, inner = 0, face = 0, albedo = 0, share = 0;
+    template <class V> void fields(V& v, const Config&) {
+        v("point", point, 1);
+        v("inner", inner, 1);
+        v("face", face, 1);
+        v("albedo", albedo, 1);
+        v("share", share, 1);
+    }
+};
+
 /// A refracted ray that waits until the reflected ray's tree is done.
 struct Waiting {
     Vec3i o{}, d{};   ///< B fraction bits; M bits

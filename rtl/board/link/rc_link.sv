@@ -91,7 +91,7 @@ module rc_link #(
 
   typedef enum logic [4:0] {
     StMark0, StMark1, StHead, StLength, StPayload, StCrc, StVerify,        // receive
-    StJudge, StBus, StRegister, StMemory, StBeats, StLoad, StSum, StKeep,  // execute
+    StJudge, StBus, StRegister, StMemory, StBeats, StLoad, StSum, StStore,  // execute
     StAnswer, StSendMark0, StSendMark1, StSendHead, StSendLines, StSendCrc
   } state_e;
 
@@ -106,7 +106,7 @@ module rc_link #(
   logic                replay_q;     // this packet was executed before
   logic [LineBits-1:0] line_q;       // line of memory that is read or written
   logic [15:0]         lines_q;      // lines that follow it
-  logic                asked_q;      // the memory has accepted the request for this line
+  logic                requested_q;  // the memory has accepted the request for this line
   logic [WordW-1:0]    word_q;       // place in the buffer of the next beat from or to memory
   logic [ByteW-1:0]    at_q;         // place in the buffer of the next byte of the packet
   logic [QuietW-1:0]   quiet_q;      // cycles since the last byte
@@ -205,25 +205,25 @@ module rc_link #(
     else                                         word_q <= word_next;
   end
 
-  // ---- Results of the last sixteen packets. The sum of lines is complete in StKeep.
-  logic        keeps;
-  logic [2:0]  kept_result;
-  logic [31:0] kept_value, value;
+  // ---- Results of the last sixteen packets. The sum of lines is complete in StStore.
+  logic        stores_result;
+  logic [2:0]  stored_result;
+  logic [31:0] stored_value, value;
 
-  assign keeps = state_q == StKeep && !replay_q;
-  assign value = kind == CheckLines && result_q == Done ? crc : value_q;
+  assign stores_result = state_q == StStore && !replay_q;
+  assign value         = kind == CheckLines && result_q == Done ? crc : value_q;
 
   rc_ram #(.Width(3 + 32), .Depth(History)) u_history (
-    .clk_i, .write_i(keeps), .write_addr_i(sequence_number[HistoryW-1:0]),
+    .clk_i, .write_i(stores_result), .write_addr_i(sequence_number[HistoryW-1:0]),
     .write_data_i({result_q, value}),
-    .read_addr_i(sequence_number[HistoryW-1:0]), .read_data_o({kept_result, kept_value}));
+    .read_addr_i(sequence_number[HistoryW-1:0]), .read_data_o({stored_result, stored_value}));
 
   // ---- Judgement of a packet. The head and the expected number do not change for the cycles of
   // the checksum, so registers take the comparisons. StJudge uses them.
   logic [7:0]  ahead;         // sequence number less the expected one
   logic [31:0] beyond;        // the line after the last one
   logic        for_board;     // a register of the board, not of the chip
-  logic        next_q, old_q, hello_q, known_q, for_register_q, register_q, lines_there_q;
+  logic        next_q, old_q, hello_q, kind_valid_q, for_register_q, register_q, lines_there_q;
 
   assign ahead     = sequence_number - expected_q;
   assign beyond    = address + 32'(count);
@@ -233,7 +233,7 @@ module rc_link #(
     next_q         <= ahead == '0;
     old_q          <= ahead >= 8'(256 - History);
     hello_q        <= kind == Hello;
-    known_q        <= kind >= Hello && kind <= CheckLines;
+    kind_valid_q   <= kind >= Hello && kind <= CheckLines;
     for_register_q <= kind == WriteRegister || kind == ReadRegister;
     register_q     <= for_board ? address[30:RegBits] == '0
                                 : address[30:rc_pkg::RegAddrBits] == '0;
@@ -256,13 +256,13 @@ module rc_link #(
     end else if (!session_q) begin
       judged_result = NoSession;
     end else if (old_q) begin
-      judged_result = kept_result;
-      judged_value  = kept_value;
+      judged_result = stored_result;
+      judged_value  = stored_value;
       if (kind == ReadLines && !lines_there_q) judged_result = BadAddress;
     end else if (!next_q) begin
       judged_result = Gap;
       judged_value  = 32'(expected_q);
-    end else if (!known_q) begin
+    end else if (!kind_valid_q) begin
       judged_result = BadKind;
     end else if (for_register_q ? !register_q : !lines_there_q) begin
       judged_result = BadAddress;
@@ -294,18 +294,18 @@ module rc_link #(
           if (reads_again)         state_q <= StMemory;
           else if (executes)       state_q <= !for_register_q ? StMemory
                                             : for_board       ? StRegister : StBus;
-          else if (session_q && next_q && !hello_q) state_q <= StKeep;
+          else if (session_q && next_q && !hello_q) state_q <= StStore;
           else                     state_q <= StAnswer;
         end
-        StRegister: state_q <= StKeep;
-        StBus:      if (wb_ack_i || wb_err_i || bus_q == BusW'(BusCycles)) state_q <= StKeep;
+        StRegister: state_q <= StStore;
+        StBus:      if (wb_ack_i || wb_err_i || bus_q == BusW'(BusCycles)) state_q <= StStore;
         StMemory:   state_q <= StBeats;
         StBeats:
           if (line_ends) state_q <= kind == CheckLines ? StLoad
-                                  : lines_q == '0      ? StKeep : StMemory;
+                                  : lines_q == '0      ? StStore : StMemory;
         StLoad:     state_q <= StSum;
-        StSum:      if (last) state_q <= lines_q == '0 ? StKeep : StMemory;
-        StKeep:     state_q <= StAnswer;
+        StSum:      if (last) state_q <= lines_q == '0 ? StStore : StMemory;
+        StStore:    state_q <= StAnswer;
 
         // Answer.
         StAnswer:    state_q <= StSendMark0;
@@ -326,7 +326,7 @@ module rc_link #(
 
   // Expected sequence number: the next one, when the packet has a result.
   always_ff @(posedge clk_i) begin
-    if ((state_q == StJudge && hello_q) || keeps) expected_q <= sequence_number + 1'b1;
+    if ((state_q == StJudge && hello_q) || stores_result) expected_q <= sequence_number + 1'b1;
   end
 
   // Bytes of the part of the packet that comes next, and of a line's sum.
@@ -365,7 +365,7 @@ module rc_link #(
         result_q <= wb_ack_i ? Done : wb_err_i ? BusError : BusSilence;
         value_q  <= wb_ack_i && !wb_we_o ? wb_dat_i : '0;
       end
-      StKeep:  value_q <= replay_q ? value_q : value;
+      StStore:  value_q <= replay_q ? value_q : value;
       default: ;
     endcase
   end
@@ -412,13 +412,13 @@ module rc_link #(
   assign reg_data_o  = data_q;
 
   // ---- Memory, line by line.
-  assign host_req_valid_o = state_q == StBeats && !asked_q;
+  assign host_req_valid_o = state_q == StBeats && !requested_q;
   assign host_req_write_o = is_write;
   assign host_req_addr_o  = line_q;
   assign host_wr_data_o   = buffer_word;
 
   always_ff @(posedge clk_i) begin
-    asked_q <= state_q == StBeats && (asked_q || host_req_ready_i);
+    requested_q <= state_q == StBeats && (requested_q || host_req_ready_i);
     if (state_q == StJudge) begin
       line_q  <= address[LineBits-1:0];
       lines_q <= count - 1'b1;

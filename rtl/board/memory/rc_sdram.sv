@@ -219,7 +219,7 @@ module rc_sdram #(
   logic               sel_valid;
   logic [RowBits-1:0] sel_row;
   logic [1:0]         sel_bank;
-  logic               known_q;     // the row of the selected request has been compared
+  logic               compared_q;  // the row of the selected request has been compared
   logic               equal_q;     // it is the row that its bank had open last
 
   assign sel_valid = first ? cur_valid_q : nxt_valid_q;
@@ -271,7 +271,7 @@ module rc_sdram #(
     equal_q <= activate || open_row == sel_row;
     // When the first column command selects the next request, equal_q is 1 for a cycle, and no row
     // command depends on that.
-    known_q <= rst_ni && sel_valid;
+    compared_q <= rst_ni && sel_valid;
   end
 
   // ---- Beats of the burst in progress, and the turn of the bus from reads to writes.
@@ -300,14 +300,14 @@ module rc_sdram #(
   logic cur_may, row_may;
 
   // The row of the current line is open, and its bank may be read or written.
-  assign cur_may   = cur_valid_q && !due_q && known_q && equal_q && open_q[cur_bank_q]
+  assign cur_may   = cur_valid_q && !due_q && compared_q && equal_q && open_q[cur_bank_q]
                   && wait_ends_q[cur_bank_q] && (!cur_write_q || turn_q == '0);
   assign col_fires = !beats_busy && (!first || cur_may);
 
   // During a burst the bank in use cannot be precharged: its pre_q is not 0.
   assign row_may        = sel_valid && !due_q && (first || beats_busy);
   assign activates_may  = row_may;
-  assign precharges_may = row_may && known_q && !equal_q;
+  assign precharges_may = row_may && compared_q && !equal_q;
 
   assign closes_all = stops && open_q != '0 && pre_ends_q == '1;
   assign refreshes  = stops && open_q == '0 && wait_ends_q == '1;

@@ -68,17 +68,17 @@ module rc_pixel_writer #(
   logic [3:0]                 head_word;
 
   // A cycle finds the buffer of the head, the next lets it enter.
-  logic               looks, enters_q, begins_q;
+  logic               head_pending, enters_q, begins_q;
   logic [Buffers-1:0] found_q;
 
-  assign head_word   = {head_y[1:0], head_x[1:0]};
-  assign lowest_free = ~used_q & (used_q + 1'b1);
-  assign found       = same != '0 ? same : lowest_free;
-  assign looks       = head_valid && !enters_q;
-  assign head_fires  = enters_q;
+  assign head_word    = {head_y[1:0], head_x[1:0]};
+  assign lowest_free  = ~used_q & (used_q + 1'b1);
+  assign found        = same != '0 ? same : lowest_free;
+  assign head_pending = head_valid && !enters_q;
+  assign head_fires   = enters_q;
 
   always_ff @(posedge clk_i) begin
-    enters_q <= rst_ni && looks && found != '0;
+    enters_q <= rst_ni && head_pending && found != '0;
     found_q  <= found;
     begins_q <= same == '0;
   end
@@ -104,7 +104,7 @@ module rc_pixel_writer #(
   always_ff @(posedge clk_i) begin
     full_q  <= full;
     // While no write is under way, no buffer becomes free.
-    waits_q <= looks && found == '0 && state_q == StIdle;
+    waits_q <= head_pending && found == '0 && state_q == StIdle;
   end
 
   always_comb begin
@@ -131,7 +131,7 @@ module rc_pixel_writer #(
   logic [1:0]         mask_q;
 
   // A buffer that the head may have found does not close before the head has entered it.
-  assign chooses = state_q == StIdle && oldest != '0 && (!looks || waits_q);
+  assign chooses = state_q == StIdle && oldest != '0 && (!head_pending || waits_q);
   assign loads   = state_q == StAdd || next_i;
   assign ends    = state_q == StBeats && next_i && beat_q == '0;
 

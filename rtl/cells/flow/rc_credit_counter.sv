@@ -51,7 +51,7 @@ module rc_credit_counter #(
     else $error("a request came without a credit");
   always_ff @(posedge clk_i) if (rst_ni && leave_i)
     a_leave_if_inside: assert (in_flight_q != '0)
-    else $error("an answer left that was not asked for");
+    else $error("an answer left without a request");
 `endif
 endmodule
 `default_nettype wire

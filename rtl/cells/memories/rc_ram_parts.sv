@@ -35,12 +35,12 @@ module rc_ram_parts #(
   // Yosys 0.23 infers block RAM only if the attribute requests it.
   (* no_rw_check, ram_style = "block" *) logic [PartW-1:0] mem [1 << AddrW];
 
-  logic [Parts*PartW-1:0] whole, kept;
+  logic [Parts*PartW-1:0] whole, held;
   logic [PartW-1:0]       part;
   logic                   write_q;
   logic [AddrW-1:0]       at_q;
   logic [PartW-1:0]       part_q, read_q;
-  logic [PartB-1:0]       came_q;   // the part that read_q holds
+  logic [PartB-1:0]       read_part_q;   // the part that read_q holds
 
   assign whole = (Parts * PartW)'(write_data_i);
 
@@ -54,26 +54,26 @@ module rc_ram_parts #(
 
   // Parts that were read: bit i of part p is bit i * Parts + p of the entry.
   for (genvar p = 0; p < Parts; p++) begin : gen_part
-    logic [PartW-1:0] kept_q;
-    always_ff @(posedge clk_i) if (came_q == PartB'(p)) kept_q <= read_q;
+    logic [PartW-1:0] held_q;
+    always_ff @(posedge clk_i) if (read_part_q == PartB'(p)) held_q <= read_q;
     for (genvar i = 0; i < PartW; i++) begin : gen_bit
-      assign kept[i*Parts + p] = kept_q[i];
+      assign held[i*Parts + p] = held_q[i];
     end
   end
 
   // Memory.
   always_ff @(posedge clk_i) begin
-    write_q <= write_i;
-    at_q    <= {write_addr_i, write_part_i};
-    part_q  <= part;
-    came_q  <= read_part_i;
-    read_q  <= mem[{read_addr_i, read_part_i}];
+    write_q     <= write_i;
+    at_q        <= {write_addr_i, write_part_i};
+    part_q      <= part;
+    read_part_q <= read_part_i;
+    read_q      <= mem[{read_addr_i, read_part_i}];
     if (write_q) mem[at_q] <= part_q;
   end
 
-  assign read_data_o = kept[Width-1:0];
+  assign read_data_o = held[Width-1:0];
 
   logic unused;
-  assign unused = ^kept;
+  assign unused = ^held;
 endmodule
 `default_nettype wire

@@ -22,7 +22,7 @@ module rc_globe_ray #(
   input  logic                     short_i,  // of DirBits only: len counts as for full width
   output logic                     valid_o,
   output logic [RayBits-1:0]       ray_o,
-  output logic [KeptW-1:0]         kept_o    // {o, direction, len}
+  output logic [KeptW-1:0]         fields_o    // {o, direction, len}
 );
   localparam int unsigned Cut   = rc_pkg::PathCut;
   localparam int unsigned Waits = 3 * Cut;
@@ -89,7 +89,7 @@ module rc_globe_ray #(
   rc_path_register #(.Width(ExpBits), .Stages(Waits)) u_len (
     .clk_i, .data_i(full_len), .data_o(len_q));
 
-  assign kept_o = {o_q, toward_q, len_q};
+  assign fields_o = {o_q, toward_q, len_q};
 
   if (Cut == 0) begin : gen_now
     assign valid_o = valid_i;

@@ -102,15 +102,15 @@ module rc_list (
   // Results of an answer, stored in s1, because a few hundred cells hold them. They are read with
   // the ray's next primitive at the earliest.
   localparam int unsigned BestW    = rc_pkg::BestW;
-  localparam int unsigned KeptHitW = rc_pkg::KeptHitW;
+  localparam int unsigned StoredHitW = rc_pkg::StoredHitW;
 
   logic                s1_fires, s1_hits, s1_closer;   // s1_hits: closer of tri's answer
   logic [RayBits-1:0]  s1_ray;
   logic [TBits-1:0]    s1_rsp_t;
   rc_pkg::best_t       s0_best;
   logic [BestW-1:0]    s1_best;
-  rc_pkg::kept_hit_t   s0_hit;
-  logic [KeptHitW-1:0] s1_hit;
+  rc_pkg::stored_hit_t   s0_hit;
+  logic [StoredHitW-1:0] s1_hit;
 
   assign s0_best.best_num  = s0_rsp.num;
   assign s0_best.best_det  = s0_rsp.det;
@@ -129,7 +129,7 @@ module rc_list (
 
   rc_pulse_register u_s1_fires (.clk_i, .rst_ni, .fires_i(s0_fires), .fires_o(s1_fires));
   rc_pulse_register u_s1_hits (.clk_i, .rst_ni, .fires_i(s0_closer), .fires_o(s1_hits));
-  rc_path_register #(.Width(RayBits + TBits + BestW + KeptHitW)) u_s1_kept (
+  rc_path_register #(.Width(RayBits + TBits + BestW + StoredHitW)) u_s1_results (
     .clk_i, .data_i({s0_rsp.ray, s0_rsp.t, s0_best, s0_hit}),
     .data_o({s1_ray, s1_rsp_t, s1_best, s1_hit}));
 
@@ -160,9 +160,9 @@ module rc_list (
   end
 
   // ---- Cut-outs with holes. A ray ignores the first ones. `passed` counts them; it is 0 at first.
-  rc_pkg::kept_hit_t s1_kept;
+  rc_pkg::stored_hit_t s1_hit_fields;
 
-  assign s1_kept = s1_hit;
+  assign s1_hit_fields = s1_hit;
 
   if (rc_pkg::HasTextures) begin : gen_holes
     localparam int unsigned HoleBits = rc_pkg::HoleBits;
@@ -187,7 +187,7 @@ module rc_list (
       .clk_i, .data_i({s0_holes, s0_passed}), .data_o({s1_holes, s1_passed}));
 
     assign passed    = was_passed ? s1_passed : '0;
-    assign s1_passes = s1_hits && s1_kept.cutout && passed != s1_holes;
+    assign s1_passes = s1_hits && s1_hit_fields.cutout && passed != s1_holes;
     assign s1_closer = s1_hits && !s1_passes;
   end else begin : gen_no_holes
     assign s1_closer = s1_hits;
@@ -356,20 +356,20 @@ module rc_list (
 
   // ---- To tri: the ray, the primitive and the hit to beat.
   localparam int unsigned TriRayW = rc_pkg::TriRayW;
-  logic               keep, keeps, tri_found;
-  logic [RayBits-1:0] keep_ray, keeps_ray;
+  logic               store_valid, write_valid, tri_found;
+  logic [RayBits-1:0] store_ray, write_ray;
   rc_pkg::tri_ray_t   ray_for_tri;   // the record omits members that this chip does not use
-  logic [TriRayW-1:0] keeps_for_tri, tri_ray;
+  logic [TriRayW-1:0] write_for_tri, tri_ray;
   logic [BestW-1:0]   tri_best;
 
   // Where it is. With two levels that is in the space of an instance.
   if (rc_pkg::Levels == 1) begin : gen_ray
-    assign keep          = ray_fires_i;
-    assign keep_ray      = ray_i.ray;
+    assign store_valid   = ray_fires_i;
+    assign store_ray     = ray_i.ray;
     assign ray_for_tri.o = ray_i.o;
   end else begin : gen_change
-    assign keep          = change_fires_i;
-    assign keep_ray      = change_i.ray;
+    assign store_valid   = change_fires_i;
+    assign store_ray     = change_i.ray;
     assign ray_for_tri.o = change_i.o;
   end
 
@@ -392,7 +392,7 @@ module rc_list (
     assign ray_for_tri.kind = ray_i.kind;
   end
 
-  if (rc_pkg::Planes && rc_pkg::HasHomes) begin : gen_kept_partial
+  if (rc_pkg::Planes && rc_pkg::HasHomes) begin : gen_stored_partial
     rc_ram #(.Width(1), .Depth(Contexts)) u_partial (
       .clk_i, .write_i(ray_fires_i), .write_addr_i(ray_i.ray), .write_data_i(ray_i.is_partial),
       .read_addr_i(change_i.ray), .read_data_o(ray_for_tri.is_partial));
@@ -400,7 +400,7 @@ module rc_list (
     assign ray_for_tri.is_partial = ray_i.is_partial;
   end
 
-  if (rc_pkg::Spheres && rc_pkg::HasHomes) begin : gen_kept_self
+  if (rc_pkg::Spheres && rc_pkg::HasHomes) begin : gen_stored_self
     rc_ram #(.Width(rc_pkg::PrimBits + 1), .Depth(Contexts)) u_self (
       .clk_i, .write_i(ray_fires_i), .write_addr_i(ray_i.ray),
       .write_data_i({ray_i.self, ray_i.is_inside}), .read_addr_i(change_i.ray),
@@ -411,12 +411,12 @@ module rc_list (
   end
 
   // A fast chip stores the ray one cycle later. Its first primitive comes much later.
-  rc_pulse_register u_keeps (.clk_i, .rst_ni, .fires_i(keep), .fires_o(keeps));
-  rc_path_register #(.Width(RayBits + TriRayW)) u_keeps_ray (
-    .clk_i, .data_i({keep_ray, ray_for_tri}), .data_o({keeps_ray, keeps_for_tri}));
+  rc_pulse_register u_write_valid (.clk_i, .rst_ni, .fires_i(store_valid), .fires_o(write_valid));
+  rc_path_register #(.Width(RayBits + TriRayW)) u_write_ray (
+    .clk_i, .data_i({store_ray, ray_for_tri}), .data_o({write_ray, write_for_tri}));
 
   rc_ram_prefetch #(.Width(TriRayW), .Depth(Contexts)) u_ray (
-    .clk_i, .rst_ni, .write_i(keeps), .write_addr_i(keeps_ray), .write_data_i(keeps_for_tri),
+    .clk_i, .rst_ni, .write_i(write_valid), .write_addr_i(write_ray), .write_data_i(write_for_tri),
     .head_addr_i(prim_rsp_i.ray), .next_fires_i(prim_next_fires_i), .next_addr_i(prim_next_i),
     .read_data_o(tri_ray));
 
@@ -431,24 +431,24 @@ module rc_list (
   if (rc_pkg::PathCut == 0) begin : gen_found_now
     assign tri_found = found[prim_rsp_i.ray];
   end else begin : gen_found_before
-    logic               asked_q, was_found;
-    logic [RayBits-1:0] asked_ray_q;
+    logic               requested_q, was_found;
+    logic [RayBits-1:0] requested_ray_q;
 
     always_ff @(posedge clk_i) begin
-      asked_q     <= prim_req_valid_o && prim_req_ready_i;
-      asked_ray_q <= prim_req_o.ray;
+      requested_q     <= prim_req_valid_o && prim_req_ready_i;
+      requested_ray_q <= prim_req_o.ray;
     end
 
     rc_bit_select #(.Flags(Contexts)) u_was_found (
       .clk_i, .flags_i(found), .index_i(prim_req_o.ray), .flag_o(was_found));
     rc_ram #(.Width(1), .Depth(Contexts)) u_was (
-      .clk_i, .write_i(asked_q), .write_addr_i(asked_ray_q), .write_data_i(was_found),
+      .clk_i, .write_i(requested_q), .write_addr_i(requested_ray_q), .write_data_i(was_found),
       .read_addr_i(prim_rsp_i.ray), .read_data_o(tri_found));
 
 `ifndef SYNTHESIS
-    always_ff @(posedge clk_i) if (rst_ni && prim_rsp_valid_i && asked_q)
-      a_not_at_once: assert (prim_rsp_i.ray != asked_ray_q)
-      else $error("a primitive came in the cycle after it was asked for");
+    always_ff @(posedge clk_i) if (rst_ni && prim_rsp_valid_i && requested_q)
+      a_not_at_once: assert (prim_rsp_i.ray != requested_ray_q)
+      else $error("a primitive came in the cycle after its request");
 `endif
   end
 
@@ -479,26 +479,31 @@ module rc_list (
   assign prim_data.c    = prim_rsp_i.c;
   assign prim_data.prim = prim_number;
 
-  // tri_req_t has the members of these records, in this order.
-  assign tri_req_o = {prim_rsp_i.ray, tri_ray, prim_data, tri_found,
-                      tri_found ? tri_best : {BestW{1'b0}}};
+  rc_pkg::tri_req_parts_t tri_req;
+
+  assign tri_req.ray        = prim_rsp_i.ray;
+  assign tri_req.ray_fields = tri_ray;
+  assign tri_req.prim_data  = prim_data;
+  assign tri_req.found      = tri_found;
+  assign tri_req.best       = tri_found ? tri_best : '0;
+  assign tri_req_o          = tri_req;
 
   // ---- The answer for a ray that trav has finished. It is read much later, and its memory is
   // placed far from the other state of a hit.
-  logic                kept, is_found;
-  logic [RayBits-1:0]  kept_ray;
-  logic [KeptHitW-1:0] kept_hit, done_hit;
-  rc_pkg::kept_hit_t   closest_hit;
+  logic                hit_store_valid, is_found;
+  logic [RayBits-1:0]  hit_store_ray;
+  logic [StoredHitW-1:0] hit_store, done_hit;
+  rc_pkg::stored_hit_t   closest_hit;
 
-  rc_pulse_register #(.Stages(rc_pkg::FarPathCut)) u_is_kept (
-    .clk_i, .rst_ni, .fires_i(s1_closer), .fires_o(kept));
-  rc_path_register #(.Width(RayBits + KeptHitW), .Stages(rc_pkg::FarPathCut)) u_kept (
-    .clk_i, .data_i({s1_ray, s1_hit}), .data_o({kept_ray, kept_hit}));
+  rc_pulse_register #(.Stages(rc_pkg::FarPathCut)) u_hit_store_valid (
+    .clk_i, .rst_ni, .fires_i(s1_closer), .fires_o(hit_store_valid));
+  rc_path_register #(.Width(RayBits + StoredHitW), .Stages(rc_pkg::FarPathCut)) u_hit_store (
+    .clk_i, .data_i({s1_ray, s1_hit}), .data_o({hit_store_ray, hit_store}));
 
-  rc_ram_prefetch #(.Width(KeptHitW), .Depth(Contexts)) u_hit (
-    .clk_i, .rst_ni, .write_i(kept), .write_addr_i(kept_ray), .write_data_i(kept_hit),
-    .head_addr_i(done_i.ray), .next_fires_i(done_next_fires_i), .next_addr_i(done_next_i.ray),
-    .read_data_o(done_hit));
+  rc_ram_prefetch #(.Width(StoredHitW), .Depth(Contexts)) u_hit (
+    .clk_i, .rst_ni, .write_i(hit_store_valid), .write_addr_i(hit_store_ray),
+    .write_data_i(hit_store), .head_addr_i(done_i.ray), .next_fires_i(done_next_fires_i),
+    .next_addr_i(done_next_i.ray), .read_data_o(done_hit));
 
   assign closest_hit     = is_found ? done_hit : '0;
   assign closest_o.ray   = done_i.ray;
@@ -539,6 +544,6 @@ module rc_list (
   assign done_ready_o    = closest_ready_i;
 
   logic unused;
-  assign unused = ^{ray_fires_i, ray_i, change_fires_i, change_i, s0_rsp, s1_kept};
+  assign unused = ^{ray_fires_i, ray_i, change_fires_i, change_i, s0_rsp, s1_hit_fields};
 endmodule
 `default_nettype wire

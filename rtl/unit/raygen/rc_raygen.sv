@@ -31,7 +31,6 @@ module rc_raygen (
   localparam int unsigned R1           = rc_pkg::RecipBits + 1;
   localparam int unsigned PixelBits    = rc_pkg::PixelBits;
   localparam int unsigned ExpBits      = rc_pkg::ExpBits;
-  localparam int unsigned RayBits      = rc_pkg::RayBits;
   localparam int unsigned Every        = rc_pkg::RaygenInterval;
   localparam int unsigned SampleL      = rc_pkg::Supersampling ? rc_pkg::SampleStages : 0;
   localparam int unsigned SubBits      = rc_pkg::Supersampling ? rc_pkg::SubPixelBits : 0;
@@ -87,12 +86,12 @@ module rc_raygen (
     .clk_i, .rst_ni, .req_valid_i(req_valid), .req_ready_o(req_ready), .occupied_i(occupied_o),
     .leave_i(ray_valid_o && ray_ready_i), .admit_o(admit), .valid_q_o(valid_q));
 
-  if (Every > 1) begin : gen_rests
+  if (Every > 1) begin : gen_occupied
     logic occupied_q;   // a register, because the sources that wait are far away
     assign occupied_o = occupied_q;
 
     always_ff @(posedge clk_i) occupied_q <= rst_ni && |valid[Every-2:0];
-  end else begin : gen_never
+  end else begin : gen_never_occupied
     assign occupied_o = 1'b0;
   end
 
@@ -101,11 +100,47 @@ module rc_raygen (
 
   assign enable = valid | {(Latency+1){rc_pkg::PathCut != 0}};
 
-  logic [RayBits-1:0] end_ray;
+  // Fields of the request that the ray takes unchanged: its number, the set of primitives that it
+  // tests, and its home. This record omits members that the chip does not have.
+  localparam int unsigned TagW = rc_pkg::SpawnTagW;
+  rc_pkg::ray_t       new_ray;
+  rc_pkg::shear_t     shear;   // of the sheared test
+  rc_pkg::spawn_tag_t s0_tag, end_tag;
+  logic [TagW-1:0]    end_tag_flat;
 
-  rc_interval_delay #(.Width(RayBits), .Stages(Latency), .Every(Every)) u_ray (
+  rc_interval_delay #(.Width(TagW), .Stages(Latency), .Every(Every)) u_tag (
     .clk_i, .rst_ni, .enable_i(enable[Latency-1:0]), .valid_i(valid[Latency-1:0]),
-    .data_i(req.ray), .data_o(end_ray));
+    .data_i(s0_tag), .data_o(end_tag_flat));
+
+  assign end_tag     = end_tag_flat;
+  assign s0_tag.ray  = req.ray;
+  assign new_ray.ray = end_tag.ray;
+
+  if (rc_pkg::HasTextures) begin : gen_holes
+    assign s0_tag.holes  = req.holes;
+    assign new_ray.holes = end_tag.holes;
+  end
+
+  if (rc_pkg::Planes) begin : gen_partial
+    assign s0_tag.is_partial  = req.is_partial;
+    assign new_ray.is_partial = end_tag.is_partial;
+  end
+
+  if (rc_pkg::Spheres) begin : gen_self
+    assign s0_tag.self       = req.self;
+    assign s0_tag.is_inside  = req.is_inside;
+    assign new_ray.self      = end_tag.self;
+    assign new_ray.is_inside = end_tag.is_inside;
+  end
+
+  if (rc_pkg::HasHomes) begin : gen_home
+    assign s0_tag.home    = req.home;
+    assign s0_tag.home_o  = req.home_o;
+    assign s0_tag.home_d  = req.home_d;
+    assign new_ray.home   = end_tag.home;
+    assign new_ray.home_o = end_tag.home_o;
+    assign new_ray.home_d = end_tag.home_d;
+  end
 
   // Position in the picture, in pixels with SubBits of fraction, at the start of stage SampleL.
   logic [rc_pkg::FrameW-1:0]   frame_flat;
@@ -175,14 +210,14 @@ module rc_raygen (
     // Their sum with the corner. rc_direction makes the direction from all three axes.
     assign s1_corner = GuardSumW'($signed(corner[k*GuardDirBits +: GuardDirBits])) <<< SubBits;
     // In a simulation, a sum without a ray costs no work.
-    logic asks;
+    logic computes;
 `ifdef SYNTHESIS
-    assign asks = 1'b1;
+    assign computes = 1'b1;
 `else
-    assign asks = enable[Step];
+    assign computes = enable[Step];
 `endif
 
-    assign sum[k*GuardSumW +: GuardSumW] = asks ? s1_corner + s1_right_q + s1_down_q : '0;
+    assign sum[k*GuardSumW +: GuardSumW] = computes ? s1_corner + s1_right_q + s1_down_q : '0;
 
     logic [R1+ExpBits-1:0] made;
     rc_recip #(.Every(Every)) u_recip (
@@ -206,41 +241,45 @@ module rc_raygen (
     .clk_i, .enable_i(enable[Dir-2:Step]), .sum_i(sum), .dir_o(made_dir));
 
   // Direction and origin are delayed to match the reciprocals.
-  localparam int unsigned HeadW = rc_pkg::RayW - RayBits - 3 * (RayDirBits + R1 + ExpBits);
-  logic [HeadW-1:0] end_head;   // fields of ray_t between number and direction
-
   always_ff @(posedge clk_i) if (enable[Dir-1]) dir_q <= new_dir;
 
   rc_interval_delay #(.Width(3 * RayDirBits), .Stages(Latency - Dir), .Every(Every)) u_dir (
     .clk_i, .rst_ni, .enable_i(enable[Latency-1:Dir]), .valid_i(valid[Latency-1:Dir]),
     .data_i(dir_q), .data_o(end_dir));
 
-  if (rc_pkg::Shading) begin : gen_given
+  if (rc_pkg::PrimitiveTest != rc_pkg::TestSheared) begin : gen_no_shear
+    assign shear = '0;
+
+    logic unused;
+    assign unused = ^shear;
+  end
+
+  if (rc_pkg::Shading) begin : gen_spawned
     localparam int unsigned OriginWidth = rc_pkg::OriginWidth;
     localparam int unsigned N           = rc_pkg::CoordBits;
     logic [1:0]               kind, dir_kind_q, end_kind;
-    logic [3*OriginWidth-1:0] given_o, camera_o, new_o, dir_o_q, end_o;
-    logic [3*RayDirBits-1:0]  given_d;
+    logic [3*OriginWidth-1:0] spawn_o, camera_o, new_o, dir_o_q, end_o;
+    logic [3*RayDirBits-1:0]  spawn_d;
     logic                     is_camera;
 
     // The ray of a new pixel has neither field: it may carry those of a waiting ray, which costs no
     // gates.
     rc_interval_delay #(.Width(2 + 3 * (OriginWidth + RayDirBits)), .Stages(Dir - 1), .Every(Every))
-    u_given (
+    u_spawned (
       .clk_i, .rst_ni, .enable_i(enable[Dir-2:0]), .valid_i(valid[Dir-2:0]),
       .data_i({req.kind, spawn_i.o, spawn_i.d}),
-      .data_o({kind, given_o, given_d}));
+      .data_o({kind, spawn_o, spawn_d}));
 
     assign is_camera = kind == rc_pkg::RayCamera;
 
     for (genvar k = 0; k < 3; k++) begin : gen_eye
       assign new_dir[k*RayDirBits +: RayDirBits] = is_camera
                                                  ? RayDirBits'($signed(made_dir[k*M +: M]))
-                                                 : given_d[k*RayDirBits +: RayDirBits];
+                                                 : spawn_d[k*RayDirBits +: RayDirBits];
       assign camera_o[k*OriginWidth +: OriginWidth] = {eye[k*N +: N], {(OriginWidth-N){1'b0}}};
     end
 
-    assign new_o = is_camera ? camera_o : given_o;
+    assign new_o = is_camera ? camera_o : spawn_o;
     always_ff @(posedge clk_i) if (enable[Dir-1]) {dir_kind_q, dir_o_q} <= {kind, new_o};
 
     rc_interval_delay #(.Width(2 + 3 * OriginWidth), .Stages(Latency - Dir), .Every(Every)) u_head (
@@ -250,79 +289,49 @@ module rc_raygen (
 
     assign is_short = dir_kind_q != rc_pkg::RayShadow;
 
-    // The fields that select the primitives that the ray tests stay as they came.
-    localparam int unsigned TagW = HeadW - 2 - 3 * OriginWidth;
-    if (TagW != 0) begin : gen_tag
-      localparam int unsigned HomeW = rc_pkg::HasHomes
-                                    ? rc_pkg::AddrBits + 3 * (OriginWidth + RayDirBits) : 0;
-      localparam int unsigned HolesW = rc_pkg::HasTextures ? rc_pkg::HoleBits : 0;
-      logic [TagW-1:0] req_tag, holes, asks, home, end_tag;
-
-      assign req_tag = holes | asks << HomeW | home;
-
-      if (rc_pkg::HasTextures) begin : gen_holes
-        assign holes = TagW'(req.holes) << (TagW - HolesW);
-      end else begin : gen_no_holes
-        assign holes = '0;
-      end
-
-      if (rc_pkg::HasHomes) begin : gen_home
-        assign home = TagW'({req.home, req.home_o, req.home_d});
-      end else begin : gen_no_home
-        assign home = '0;
-      end
-
-      if (rc_pkg::Planes && rc_pkg::Spheres) begin : gen_both
-        assign asks = TagW'({req.is_partial, req.self, req.is_inside});
-      end else if (rc_pkg::Planes) begin : gen_planes
-        assign asks = TagW'(req.is_partial);
-      end else if (rc_pkg::Spheres) begin : gen_spheres
-        assign asks = TagW'({req.self, req.is_inside});
-      end else begin : gen_triangles
-        assign asks = '0;
-      end
-
-      rc_interval_delay #(.Width(TagW), .Stages(Latency), .Every(Every)) u_tag (
-        .clk_i, .rst_ni, .enable_i(enable[Latency-1:0]), .valid_i(valid[Latency-1:0]),
-        .data_i(req_tag), .data_o(end_tag));
-
-      assign end_head = {end_kind, end_tag, end_o};
-    end else begin : gen_no_tag
-      assign end_head = {end_kind, end_o};
-    end
+    assign new_ray.kind = end_kind;
+    assign new_ray.o    = end_o;
   end else begin : gen_camera
     logic unused;
-    assign unused   = ^{req};
-    assign new_dir  = made_dir;
-    assign is_short = 1'b1;
+    assign unused    = ^{req};
+    assign new_dir   = made_dir;
+    assign is_short  = 1'b1;
+    assign new_ray.o = eye;
 
     // The sheared triangle test needs slopes as well.
     if (rc_pkg::PrimitiveTest == rc_pkg::TestSheared) begin : gen_sheared
-      localparam int unsigned ShearW = 3 * M + 3;
+      localparam int unsigned ShearW = rc_pkg::ShearW;
       localparam int unsigned SlopeL = rc_pkg::SlopeStages;
-      logic [ShearW-1:0] made, shear;
+      logic [ShearW-1:0] made, shear_flat;
 
       rc_slope u_slope (.clk_i, .enable_i(enable[Dir]), .d_i(dir_q), .shear_o(made));
 
       if (Latency - Dir == SlopeL) begin : gen_last
-        assign shear = made;
+        assign shear_flat = made;
       end else begin : gen_wait
         rc_shift_register #(.Width(ShearW), .Stages(Latency - Dir - SlopeL)) u_made (
-          .clk_i, .enable_i(enable[Latency-1:Dir+SlopeL]), .data_i(made), .data_o(shear));
+          .clk_i, .enable_i(enable[Latency-1:Dir+SlopeL]), .data_i(made), .data_o(shear_flat));
       end
-      assign end_head = {shear, eye};
-    end else begin : gen_plain
-      assign end_head = eye;
+
+      assign shear         = shear_flat;
+      assign new_ray.axis  = shear.axis;
+      assign new_ray.neg   = shear.neg;
+      assign new_ray.size  = shear.size;
+      assign new_ray.slope = shear.slope;
+
     end
   end
 
   // Result queue.
   logic                    queue_ready;
-  logic [rc_pkg::RayW-1:0] queue_data, ray_data;
+  logic [rc_pkg::RayW-1:0] ray_data;
 
-  assign queue_data = {end_ray, end_head, end_dir, recip, len};
+  assign new_ray.d     = end_dir;
+  assign new_ray.recip = recip;
+  assign new_ray.len   = len;
+
   rc_fifo #(.Width(rc_pkg::RayW), .Depth(rc_pkg::RaygenQueue)) u_queue (
-    .clk_i, .rst_ni, .valid_i(valid_q[Latency-1]), .ready_o(queue_ready), .data_i(queue_data),
+    .clk_i, .rst_ni, .valid_i(valid_q[Latency-1]), .ready_o(queue_ready), .data_i(new_ray),
     .valid_o(ray_valid_o), .ready_i(ray_ready_i), .data_o(ray_data));
 
   assign ray_o = ray_data;

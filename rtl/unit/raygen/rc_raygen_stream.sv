@@ -36,12 +36,12 @@ module rc_raygen_stream (
     .occupied_i(occupied_o), .leave_i(ray_valid_o && ray_ready_i), .admit_o(admit),
     .valid_q_o(valid_q));
 
-  if (Every > 1) begin : gen_rests
+  if (Every > 1) begin : gen_occupied
     logic occupied_q;
     assign occupied_o = occupied_q;
 
     always_ff @(posedge clk_i) occupied_q <= rst_ni && |valid[Every-2:0];
-  end else begin : gen_never
+  end else begin : gen_never_occupied
     assign occupied_o = 1'b0;
   end
 
@@ -76,25 +76,26 @@ module rc_raygen_stream (
     .clk_i, .rst_ni, .enable_i(enable[Latency-1:1]), .valid_i(valid[Latency-1:1]),
     .data_i(s1_q), .data_o(end_record));
 
-  // Result queue. A record has the fields of a ray in the ray's order, without the reciprocals and
-  // without a home: with two levels no recorded ray starts from an instance.
-  localparam int unsigned HomeW =
-      rc_pkg::HasHomes ? rc_pkg::RayW - RecordW - 3 * R1 - 3 * ExpBits : 0;
-
+  // Result queue. With two levels no recorded ray has a home.
   rc_pkg::record_t         last;
+  rc_pkg::ray_t            new_ray;
   logic                    queue_ready;
-  logic [rc_pkg::RayW-1:0] queue_data, ray_data;
+  logic [rc_pkg::RayW-1:0] ray_data;
 
   assign last = end_record;
 
-  if (HomeW > 0) begin : gen_homes
-    assign queue_data = {last.ray, last.kind, {HomeW{1'b0}}, last.o, last.d, recip, len};
-  end else begin : gen_no_homes
-    assign queue_data = {last, recip, len};
+  always_comb begin
+    new_ray       = '0;
+    new_ray.ray   = last.ray;
+    new_ray.kind  = last.kind;
+    new_ray.o     = last.o;
+    new_ray.d     = last.d;
+    new_ray.recip = recip;
+    new_ray.len   = len;
   end
 
   rc_fifo #(.Width(rc_pkg::RayW), .Depth(rc_pkg::RaygenQueue)) u_queue (
-    .clk_i, .rst_ni, .valid_i(valid_q[Latency-1]), .ready_o(queue_ready), .data_i(queue_data),
+    .clk_i, .rst_ni, .valid_i(valid_q[Latency-1]), .ready_o(queue_ready), .data_i(new_ray),
     .valid_o(ray_valid_o), .ready_i(ray_ready_i), .data_o(ray_data));
 
   assign ray_o = ray_data;

@@ -72,15 +72,15 @@ module rc_sample #(
   assign s2_last   = mix(s2_hash_q, 32'(s2_sample_q));
   assign s2_turned = s2_last + (s2_last << 3);
 
-  logic [SampleBits-1:0] s2_rest;
+  logic [SampleBits-1:0] s2_left;
   logic [2:0]            s2_row;
 
   always_comb begin
-    s2_rest = s2_at_q;
+    s2_left = s2_at_q;
     s2_row  = '0;
     for (int i = 2; i >= 0; i--) begin
-      if (s2_rest >= SampleBits'(side_i) << i) begin
-        s2_rest   = s2_rest - (SampleBits'(side_i) << i);
+      if (s2_left >= SampleBits'(side_i) << i) begin
+        s2_left   = s2_left - (SampleBits'(side_i) << i);
         s2_row[i] = 1'b1;
       end
     end
@@ -101,37 +101,42 @@ module rc_sample #(
     if (enable_i[2]) begin   // lower half of the hash: h ^ h >> 11, and h << 15 added
       s3_hash_q   <= s2_turned[15:0] ^ s2_turned[26:11]
                      ^ {s2_turned[0] ^ s2_turned[11], 15'd0};
-      s3_column_q <= s2_rest[2:0];
+      s3_column_q <= s2_left[2:0];
       s3_row_q    <= s2_row;
     end
   end
 
-  // s4: {cell, place in it} / side, minus half a pixel. 1 / side is rounded up: with 11 bits above
-  // the point and 14 below, the quotient's whole part is exact.
-  logic [14:0] share;
+  // s4: {cell, place in it} / side, minus half a pixel. Cell and place are U3.8, the share of a
+  // pixel that a cell takes, 1 / side, is U1.14 and rounded up. Then the 8 fraction bits of the
+  // product, U4.22, that stay are exact.
+  localparam int unsigned ShareFrac = 14;
+  localparam int unsigned OverW     = 3 + SubBits + ShareFrac + 1;
+  localparam int unsigned Top       = ShareFrac + SubBits - 1;   // the fraction bit of half a pixel
+  logic [ShareFrac:0] share;
 
   always_comb begin
-    share = 15'd16384;
-    for (int i = 2; i <= 8; i++) if (side_i == 4'(i)) share = 15'((16383 + i) / i);
+    share = (ShareFrac+1)'(1 << ShareFrac);
+    for (int i = 2; i <= 8; i++)
+      if (side_i == 4'(i)) share = (ShareFrac+1)'(((1 << ShareFrac) - 1 + i) / i);
   end
 
-  logic [7:0]  s3_right, s3_down;
-  logic [25:0] s3_over_x, s3_over_y;
+  localparam logic [SubBits-1:0] Middle = SubBits'(1) << (SubBits - 1);
+  logic [SubBits-1:0] s3_right, s3_down;
+  logic [OverW-1:0]   s3_over_x, s3_over_y;
 
-  assign s3_right  = jitter_i ? s3_hash_q[7:0] : 8'd128;
-  assign s3_down   = jitter_i ? s3_hash_q[15:8] : 8'd128;
-  assign s3_over_x = 26'({s3_column_q, s3_right}) * 26'(share);
-  assign s3_over_y = 26'({s3_row_q, s3_down}) * 26'(share);
+  assign s3_right  = jitter_i ? s3_hash_q[0 +: SubBits] : Middle;
+  assign s3_down   = jitter_i ? s3_hash_q[SubBits +: SubBits] : Middle;
+  assign s3_over_x = OverW'({s3_column_q, s3_right}) * OverW'(share);
+  assign s3_over_y = OverW'({s3_row_q, s3_down}) * OverW'(share);
 
   always_ff @(posedge clk_i) begin
     if (enable_i[3]) begin
-      x_o <= {~s3_over_x[21], s3_over_x[20:14]};
-      y_o <= {~s3_over_y[21], s3_over_y[20:14]};
+      x_o <= {~s3_over_x[Top], s3_over_x[ShareFrac +: SubBits-1]};
+      y_o <= {~s3_over_y[Top], s3_over_y[ShareFrac +: SubBits-1]};
     end
   end
 
   logic unused;
-  assign unused = ^{s2_rest[SampleBits-1:3], s2_turned[31:27], s3_over_x[25:22], s3_over_x[13:0],
-      s3_over_y[25:22], s3_over_y[13:0]};
+  assign unused = ^{s2_left, s2_turned, s3_over_x, s3_over_y};
 endmodule
 `default_nettype wire

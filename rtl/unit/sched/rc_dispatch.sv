@@ -11,8 +11,8 @@ module rc_dispatch (
   // From the host
   input  logic                         start_i,
   input  rc_pkg::frame_t               frame_i,
-  // To the pipelines' sched; want_i: has room for a tile
-  input  logic [rc_pkg::Pipelines-1:0] want_i,
+  // To the pipelines' sched; tile_ready_i: has room for a tile
+  input  logic [rc_pkg::Pipelines-1:0] tile_ready_i,
   output logic [rc_pkg::Pipelines-1:0] tile_fires_o,
   output rc_pkg::tile_t                tile_o,
   // What it did: rc_pkg::dispatch_cause_e
@@ -35,14 +35,15 @@ module rc_dispatch (
   always_comb begin
     to = next_q;
     for (int i = Pipelines - 1; i >= 0; i--) begin
-      if (want_i[PipelineIdW'(next_q + PipelineIdW'(i))])
+      if (tile_ready_i[PipelineIdW'(next_q + PipelineIdW'(i))])
         to = PipelineIdW'(next_q + PipelineIdW'(i));
     end
   end
 
-  assign give         = more_q && want_i != '0;
+  assign give         = more_q && tile_ready_i != '0;
   assign tile_fires_o = {{(Pipelines-1){1'b0}}, give} << to;
-  assign tile_o       = {x_q, y_q};
+  assign tile_o.x     = x_q;
+  assign tile_o.y     = y_q;
   assign cause_o      = give ? rc_pkg::DispatchBusyWork
                       : more_q ? rc_pkg::DispatchStalledSched : rc_pkg::DispatchStarvedFrame;
 

@@ -47,14 +47,19 @@ module rc_sched (
   // comes. The pixel's position is computed one pixel ahead, because many cells depend on it.
   logic               tile_valid, last, in_frame, at_hand, pass, give;
   logic               tile_begins, begins;   // a tile's first pixel lies inside
-  logic [3:0]         tile_lies, lies;
-  rc_pkg::tile_t tile;
+  rc_pkg::tile_t      tile;
   logic [InTileW-1:0] at_q;
 
+  // Where a tile lies on each axis: inside the picture, or at its last pixels. First the tile that
+  // comes, then the current one.
+  logic tile_x_inside, tile_x_at_edge, tile_y_inside, tile_y_at_edge;
+  logic x_inside, x_at_edge, y_inside, y_at_edge;
+
   rc_fifo #(.Width(rc_pkg::TileW + 5), .Depth(2)) u_tiles (
-    .clk_i, .rst_ni(rst_ni && !start_i),
-    .valid_i(tile_fires_i), .ready_o(tile_ready_o), .data_i({tile_i, tile_lies, tile_begins}),
-    .valid_o(tile_valid), .ready_i((give || pass) && last), .data_o({tile, lies, begins}));
+    .clk_i, .rst_ni(rst_ni && !start_i), .valid_i(tile_fires_i), .ready_o(tile_ready_o),
+    .data_i({tile_i, tile_x_inside, tile_x_at_edge, tile_y_inside, tile_y_at_edge, tile_begins}),
+    .valid_o(tile_valid), .ready_i((give || pass) && last),
+    .data_o({tile, x_inside, x_at_edge, y_inside, y_at_edge, begins}));
 
   logic [PixelBits-1:0] x, y;
   logic [InTileW-1:0]   next;      // the next pixel's place in the tile
@@ -77,31 +82,31 @@ module rc_sched (
     end
 
     assign {y, x}      = number;
-    assign tile_lies   = '0;
     assign tile_begins = first_number < frame_i.ray_count;
     assign next_inside = next_number < frame_i.ray_count;
+    assign {tile_x_inside, tile_x_at_edge, tile_y_inside, tile_y_at_edge} = '0;
 
     logic unused;
-    assign unused = ^lies;
+    assign unused = ^{x_inside, x_at_edge, y_inside, y_at_edge};
   end else begin : gen_pixels
     logic [PixelBits:0] width, height;
 
-    assign width     = frame_i.width;
-    assign height    = frame_i.height;
-    assign tile_lies = {{1'b0, tile_i.x} < width[PixelBits:TileBits],
-                        {1'b0, tile_i.x} == width[PixelBits:TileBits],
-                        {1'b0, tile_i.y} < height[PixelBits:TileBits],
-                        {1'b0, tile_i.y} == height[PixelBits:TileBits]};
+    assign width          = frame_i.width;
+    assign height         = frame_i.height;
+    assign tile_x_inside  = {1'b0, tile_i.x} < width[PixelBits:TileBits];
+    assign tile_x_at_edge = {1'b0, tile_i.x} == width[PixelBits:TileBits];
+    assign tile_y_inside  = {1'b0, tile_i.y} < height[PixelBits:TileBits];
+    assign tile_y_at_edge = {1'b0, tile_i.y} == height[PixelBits:TileBits];
 
     assign x[PixelBits-1:TileBits] = tile.x;
     assign y[PixelBits-1:TileBits] = tile.y;
 
     if (TileBits == 0) begin : gen_single
-      assign tile_begins = tile_lies[3] && tile_lies[1];
+      assign tile_begins = tile_x_inside && tile_y_inside;
       assign next_inside = 1'b0;   // a tile has one pixel
 
       logic unused;
-      assign unused = ^lies;
+      assign unused = ^{x_inside, x_at_edge, y_inside, y_at_edge};
     end else begin : gen_morton
       logic [TileBits-1:0] next_x, next_y;
 
@@ -112,10 +117,10 @@ module rc_sched (
         assign next_y[i] = next[2*i+1];
       end
 
-      assign tile_begins = (tile_lies[3] || (tile_lies[2] && width[TileBits-1:0] != '0))
-                        && (tile_lies[1] || (tile_lies[0] && height[TileBits-1:0] != '0));
-      assign next_inside = (lies[3] || (lies[2] && next_x < width[TileBits-1:0]))
-                        && (lies[1] || (lies[0] && next_y < height[TileBits-1:0]));
+      assign tile_begins = (tile_x_inside || (tile_x_at_edge && width[TileBits-1:0] != '0))
+                        && (tile_y_inside || (tile_y_at_edge && height[TileBits-1:0] != '0));
+      assign next_inside = (x_inside || (x_at_edge && next_x < width[TileBits-1:0]))
+                        && (y_inside || (y_at_edge && next_y < height[TileBits-1:0]));
     end
   end
 
@@ -143,7 +148,9 @@ module rc_sched (
   assign fresh        = started_q != (RayBits+1)'(Contexts);
   assign slot_valid_o = at_hand && (fresh || free_valid);
   assign slot_ray     = fresh ? started_q[RayBits-1:0] : free_ray;
-  assign slot_o       = {slot_ray, x, y};
+  assign slot_o.ray   = slot_ray;
+  assign slot_o.x     = x;
+  assign slot_o.y     = y;
   assign give         = slot_valid_o && slot_ready_i;
   assign freed        = hit_valid_o && hit_ready_i;
 

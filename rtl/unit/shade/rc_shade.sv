@@ -68,18 +68,18 @@ module rc_shade (
 
   // ---- Answers: a hit of a camera ray or bounce waits for its surface (A); others enter a pass
   // (B).
-  logic [RayBits-1:0]                closest_ray;
-  logic [PrimBits-1:0]               closest_prim;
-  // any_hit: any hit ends it.
-  logic                              wants_surface, ends_at_any, any_hit;
-  logic [1:0]                        kind;
+  logic [RayBits-1:0]  closest_ray;
+  logic [PrimBits-1:0] closest_prim;
+  logic                requests_surface;
+  logic                ends_at_any, any_hit;   // any hit ends ray_i; any hit ended the answered ray
+  logic [1:0]          kind;                   // of ray_i
 
   assign closest_ready_o = 1'b1;
 
   // In a fast chip the answer is one cycle in flight, and then one cycle here.
   localparam int unsigned Late = rc_pkg::PathCut + rc_pkg::FarPathCut;
 
-  logic                answers, way_found, way_asks;
+  logic                answers, way_found, way_requests;
   logic [RayBits-1:0]  way_ray;
   logic [PrimBits-1:0] way_prim;
   logic [AddrBits-1:0] closest_place;
@@ -96,8 +96,8 @@ module rc_shade (
     .data_o({way_ray, way_prim, way_found}));
 
   rc_path_register #(.Width(RayBits + PrimBits + 1)) u_answer (
-    .clk_i, .data_i({way_ray, way_prim, way_asks}),
-    .data_o({closest_ray, closest_prim, wants_surface}));
+    .clk_i, .data_i({way_ray, way_prim, way_requests}),
+    .data_o({closest_ray, closest_prim, requests_surface}));
 
   // A cut-out in the way to a light needs its texture, so its surface is fetched too.
   if (rc_pkg::HasTextures) begin : gen_cutout
@@ -105,9 +105,9 @@ module rc_shade (
 
     rc_path_register #(.Width(1), .Stages(rc_pkg::FarPathCut)) u_way_cutout (
       .clk_i, .data_i(closest_i.cutout), .data_o(way_cutout));
-    assign way_asks = way_found && (!any_hit || way_cutout);
+    assign way_requests = way_found && (!any_hit || way_cutout);
   end else begin : gen_no_cutout
-    assign way_asks = way_found && !any_hit;
+    assign way_requests = way_found && !any_hit;
   end
 
   rc_pulse_register #(.Stages(Late)) u_answers (
@@ -134,148 +134,142 @@ module rc_shade (
     else $error("a ray's answer came before it was known what the ray is");
 `endif
 
-  // ---- Surfaces, and with two levels the instances before them.
-  localparam int unsigned LentW = 9 * (rc_pkg::ShareBits + 1)
-                                    + 3 * rc_pkg::ValueBits + rc_pkg::ShineBits
-                                    + 2 * rc_pkg::RatioBits;
-  localparam int unsigned SchlickAt = rc_pkg::SurfaceW - 5;   // after kind, smooth, checkered
-  // After these and fine.
-  localparam int unsigned RecordAt  = rc_pkg::SurfaceW - 8 - AddrBits;
-
-  // placing: the line that comes is an instance or its material. keeps: an instance is accepted for
-  // a hit, not for a cut-out in the way to a light. placed: an instance is accepted for either.
-  // taken: an instance or its material is accepted. came: a surface has come.
-  logic              placing, keeps, placed, taken, came;
+  // ---- Surfaces, and with two levels the instances before them. A line of memory is an instance,
+  // the material of an instance, or a surface.
+  logic line_is_instance;    // the line is an instance or its material
+  logic stores_instance;     // the line is the instance of a hit, not of a cut-out before a light
+  logic instance_accepted;   // the line is the instance of either
+  logic line_accepted;       // the line is an instance or its material
+  logic surface_arrived;     // the line is a surface
   logic [rc_pkg::SurfRspW-1:0] surf_rsp;
-  logic [rc_pkg::SurfaceW-1:0] surface_found;
-  rc_pkg::surface_t            surface_came;    // the line that comes, if it is a surface,
-  rc_pkg::placement_t          instance_came;   // or an instance
-  rc_pkg::shade_place_t place_data, place;
+  rc_pkg::surface_t            surface_found;    // with its instance's material
+  rc_pkg::surface_t            surface_line;     // the line, read as a surface
+  rc_pkg::placement_t          instance_line;    // the line, read as an instance
+  rc_pkg::shade_place_t        place_data, place;
 
   assign surf_rsp      = surf_rsp_i;
-  assign surface_came  = rc_pkg::SurfaceW'(surf_rsp);
-  assign instance_came = rc_pkg::PlacementW'(surf_rsp);
+  assign surface_line  = rc_pkg::SurfaceW'(surf_rsp);
+  assign instance_line = rc_pkg::PlacementW'(surf_rsp);
+
+  // The material of an instance, for all its primitives.
+  localparam int unsigned MaterialW = rc_pkg::SurfaceMaterialW;
+  rc_pkg::surface_material_t new_material, material;
+  logic [MaterialW-1:0]      material_flat;
+  logic                      has_material;   // the surface's instance has a material
+
+  assign new_material.schlick   = surface_line.schlick;
+  assign new_material.colour    = surface_line.colour;
+  assign new_material.other     = surface_line.other;
+  assign new_material.ambient   = surface_line.ambient;
+  assign new_material.diffuse   = surface_line.diffuse;
+  assign new_material.highlight = surface_line.highlight;
+  assign new_material.mirror    = surface_line.mirror;
+  assign new_material.transmit  = surface_line.transmit;
+  assign new_material.r0        = surface_line.r0;
+  assign new_material.shine     = surface_line.shine;
+  assign new_material.enter     = surface_line.enter;
+  assign new_material.leave     = surface_line.leave;
+  assign material               = material_flat;
 
   logic                 arrived_valid, arrived_pop;
   logic [RayBits-1:0]   arrived_ray;
 
   if (!rc_pkg::HasHomes) begin : gen_fetch
-    logic [AddrBits-1:0]         surfaces, line;
+    logic [AddrBits-1:0]         surfaces, addr;
     logic [RayBits+AddrBits-1:0] fetch;
 
     assign surfaces = shade_frame.surfaces;
-    assign line     = surfaces + AddrBits'(closest_prim);
+    assign addr     = surfaces + AddrBits'(closest_prim);
 
     rc_queue #(.Width(RayBits + AddrBits), .Depth(Contexts)) u_fetch (
-      .clk_i, .rst_ni, .push_i(answers && wants_surface),
-      .data_i({closest_ray, line}), .valid_o(surf_req_valid_o),
+      .clk_i, .rst_ni, .push_i(answers && requests_surface),
+      .data_i({closest_ray, addr}), .valid_o(surf_req_valid_o),
       .pop_i(surf_req_valid_o && surf_req_ready_i), .data_o(fetch));
 
-    assign surf_req_o = fetch;
-    assign placing    = 1'b0;
-    assign keeps      = 1'b0;
-    assign placed     = 1'b0;
-    assign taken      = 1'b0;
-    assign place_data = '0;
-    assign surface_found = rc_pkg::SurfaceW'(surf_rsp);
+    assign surf_req_o        = fetch;
+    assign line_is_instance  = 1'b0;
+    assign stores_instance   = 1'b0;
+    assign instance_accepted = 1'b0;
+    assign line_accepted     = 1'b0;
+    assign place_data        = '0;
+    assign material_flat     = '0;
+    assign has_material      = 1'b0;
 
     logic unused;
-    assign unused = ^{surface_came, instance_came, taken, closest_place};
+    assign unused = ^{instance_line, line_accepted, closest_place, new_material};
   end else begin : gen_fetch_twice
-    logic [Contexts-1:0]             placing_q, lends_q;   // waits for an instance, for a material
-    logic [AddrBits-1:0]             prim, surface_line, kept_line;
-    logic [Contexts-1:0]             lent_q;   // the context's last instance has a material
-    logic                            lends;
-    logic [RayBits-1:0]              came_ray;
-    logic [AddrBits-1:0]             line;
-    logic                            place_valid, place_ready, fetch_valid, fetch_ready;
-    logic [RayBits+AddrBits-1:0]     place_next, fetch_next, fetch;
+    logic [Contexts-1:0]         awaits_instance_q, awaits_material_q;
+    logic [Contexts-1:0]         has_material_q;   // the context's last instance has a material
+    logic [RayBits-1:0]          line_ray;
+    logic                        line_is_material;
+    logic [AddrBits-1:0]         prim, surface_addr, stored_addr, next_addr;
+    logic                        place_valid, place_ready, fetch_valid, fetch_ready;
+    logic [RayBits+AddrBits-1:0] place_next, fetch_next, fetch;
 
-    assign came_ray      = surf_rsp_i.ray;
-    assign surface_line  = instance_came.surfaces + prim;
-    assign lends         = lends_q[came_ray];
-    assign line          = lends ? kept_line
-                         : instance_came.material != '0 ? instance_came.material : surface_line;
-    assign placing       = placing_q[came_ray] || lends;
-    assign placed        = surf_rsp_valid_i && placing_q[came_ray];
-    assign taken         = surf_rsp_valid_i && placing;
+    assign line_ray          = surf_rsp_i.ray;
+    assign surface_addr      = instance_line.surfaces + prim;
+    assign line_is_material  = awaits_material_q[line_ray];
+    assign line_is_instance  = awaits_instance_q[line_ray] || line_is_material;
+    assign instance_accepted = surf_rsp_valid_i && awaits_instance_q[line_ray];
+    assign line_accepted     = surf_rsp_valid_i && line_is_instance;
+    assign next_addr         = line_is_material ? stored_addr
+                             : instance_line.material != '0 ? instance_line.material
+                             : surface_addr;
 
     // Line 0: the ray is the same in the instance.
-    assign place_data.here = instance_came.is_same ? '0 : instance_came.here;
-    assign place_data.a    = instance_came.a;
-    assign place_data.b    = instance_came.b;
+    assign place_data.here = instance_line.is_same ? '0 : instance_line.here;
+    assign place_data.a    = instance_line.a;
+    assign place_data.b    = instance_line.b;
 
     if (rc_pkg::HasTextures) begin : gen_texel_scale
       logic to_light;
 
-      assign place_data.texel_scale = instance_came.texel_scale;
+      assign place_data.texel_scale = instance_line.texel_scale;
 
       rc_ram #(.Width(1), .Depth(Contexts)) u_to_light (
         .clk_i, .write_i(starts), .write_addr_i(starts_ray), .write_data_i(starts_any),
-        .read_addr_i(came_ray), .read_data_o(to_light));
-      assign keeps = placed && !to_light;
+        .read_addr_i(line_ray), .read_data_o(to_light));
+      assign stores_instance = instance_accepted && !to_light;
     end else begin : gen_no_texel_scale
-      assign keeps = placed;
+      assign stores_instance = instance_accepted;
     end
 
     always_ff @(posedge clk_i) begin
-      if (placed)  placing_q[came_ray]    <= 1'b0;
-      if (answers) placing_q[closest_ray] <= wants_surface;
+      if (instance_accepted) awaits_instance_q[line_ray]    <= 1'b0;
+      if (answers)           awaits_instance_q[closest_ray] <= requests_surface;
 
-      if (taken) begin
-        lends_q[came_ray] <= placed && instance_came.material != '0;
-        lent_q[came_ray]  <= lends || instance_came.material != '0;
+      if (line_accepted) begin
+        awaits_material_q[line_ray] <= instance_accepted && instance_line.material != '0;
+        has_material_q[line_ray]    <= line_is_material || instance_line.material != '0;
       end
-      if (answers) lends_q[closest_ray] <= 1'b0;
+      if (answers) awaits_material_q[closest_ray] <= 1'b0;
     end
 
-    rc_ram #(.Width(AddrBits), .Depth(Contexts)) u_line (
-      .clk_i, .write_i(placed), .write_addr_i(came_ray), .write_data_i(surface_line),
-      .read_addr_i(came_ray), .read_data_o(kept_line));
+    rc_ram #(.Width(AddrBits), .Depth(Contexts)) u_surface_addr (
+      .clk_i, .write_i(instance_accepted), .write_addr_i(line_ray), .write_data_i(surface_addr),
+      .read_addr_i(line_ray), .read_data_o(stored_addr));
 
-    // A material for all primitives of the instance replaces the surface's own.
-    logic [LentW:0] material;
+    rc_ram #(.Width(MaterialW), .Depth(Contexts)) u_material (
+      .clk_i, .write_i(line_accepted && line_is_material), .write_addr_i(line_ray),
+      .write_data_i(new_material), .read_addr_i(line_ray), .read_data_o(material_flat));
 
-    rc_ram #(.Width(LentW + 1), .Depth(Contexts)) u_material (
-      .clk_i, .write_i(taken && lends), .write_addr_i(came_ray),
-      .write_data_i({surface_came.schlick, surf_rsp[LentW-1:0]}), .read_addr_i(came_ray),
-      .read_data_o(material));
-
-    logic [rc_pkg::SurfaceW-1:0] lent;
-
-    always_comb begin
-      lent = rc_pkg::SurfaceW'(surf_rsp);
-      if (lent_q[came_ray]) lent[LentW-1:0] = material[LentW-1:0];
-      if (lent_q[came_ray]) lent[SchlickAt]     = material[LentW];
-    end
-
-    if (rc_pkg::HasTextures) begin : gen_no_lent_texture
-      logic [rc_pkg::SurfaceW-1:0] plain;   // without a texture
-
-      always_comb begin
-        plain = lent;
-        if (lent_q[came_ray]) plain[RecordAt +: AddrBits] = '0;
-      end
-
-      assign surface_found = plain;
-    end else begin : gen_lent
-      assign surface_found = lent;
-    end
+    assign has_material = has_material_q[line_ray];
 
     rc_ram #(.Width(AddrBits), .Depth(Contexts)) u_prim (
       .clk_i, .write_i(answers), .write_addr_i(closest_ray),
-      .write_data_i(AddrBits'(closest_prim)), .read_addr_i(came_ray), .read_data_o(prim));
+      .write_data_i(AddrBits'(closest_prim)), .read_addr_i(line_ray), .read_data_o(prim));
 
     rc_queue #(.Width(RayBits + AddrBits), .Depth(Contexts)) u_place (
-      .clk_i, .rst_ni, .push_i(answers && wants_surface),
+      .clk_i, .rst_ni, .push_i(answers && requests_surface),
       .data_i({closest_ray, closest_place}), .valid_o(place_valid),
       .pop_i(place_valid && place_ready), .data_o(place_next));
 
     rc_queue #(.Width(RayBits + AddrBits), .Depth(Contexts)) u_fetch (
-      .clk_i, .rst_ni, .push_i(taken), .data_i({came_ray, line}), .valid_o(fetch_valid),
+      .clk_i, .rst_ni, .push_i(line_accepted), .data_i({line_ray, next_addr}),
+      .valid_o(fetch_valid),
       .pop_i(fetch_valid && fetch_ready), .data_o(fetch_next));
 
-    rc_priority_merge #(.Width(RayBits + AddrBits)) u_ask (
+    rc_priority_merge #(.Width(RayBits + AddrBits)) u_surf_req (
       .clk_i, .rst_ni,
       .first_valid_i(fetch_valid), .first_ready_o(fetch_ready), .first_i(fetch_next),
       .second_valid_i(place_valid), .second_ready_o(place_ready), .second_i(place_next),
@@ -284,14 +278,45 @@ module rc_shade (
     assign surf_req_o = fetch;
 
     logic unused;
-    assign unused = ^{instance_came, shade_frame, surface_came};
+    assign unused = ^{instance_line, shade_frame};
   end
 
-  assign came   = surf_rsp_valid_i && !placing;
+  assign surface_arrived = surf_rsp_valid_i && !line_is_instance;
+
+  // An instance's material replaces the surface's own, and its texture: Surface::with_material() in
+  // model/core/lines.hpp.
+  rc_pkg::surface_t with_material;
+
+  always_comb begin
+    with_material = surface_line;
+    if (has_material) begin
+      with_material.schlick   = material.schlick;
+      with_material.colour    = material.colour;
+      with_material.other     = material.other;
+      with_material.ambient   = material.ambient;
+      with_material.diffuse   = material.diffuse;
+      with_material.highlight = material.highlight;
+      with_material.mirror    = material.mirror;
+      with_material.transmit  = material.transmit;
+      with_material.r0        = material.r0;
+      with_material.shine     = material.shine;
+      with_material.enter     = material.enter;
+      with_material.leave     = material.leave;
+    end
+  end
+
+  if (rc_pkg::HasTextures) begin : gen_without_texture
+    always_comb begin
+      surface_found = with_material;
+      if (has_material) surface_found.record = '0;
+    end
+  end else begin : gen_no_texture
+    assign surface_found = with_material;
+  end
 
   // Rays that need no surface.
   rc_queue #(.Width(RayBits), .Depth(Contexts)) u_arrived (
-    .clk_i, .rst_ni, .push_i(answers && !wants_surface), .data_i(closest_ray),
+    .clk_i, .rst_ni, .push_i(answers && !requests_surface), .data_i(closest_ray),
     .valid_o(arrived_valid), .pop_i(arrived_pop), .data_o(arrived_ray));
 
   // ---- Admission: a pass has a place in the output queue.
@@ -299,30 +324,32 @@ module rc_shade (
                 out_ready;
   logic [RayBits-1:0] again_ray, ray;
 
-  rc_credit_counter #(.Credits(rc_pkg::ShadeQueue)) u_door (
+  rc_credit_counter #(.Credits(rc_pkg::ShadeQueue)) u_credits (
     .clk_i, .rst_ni, .admit_i(enters), .leave_i(out_valid), .open_o(room));
 
-  assign open        = room && !occupied;
-  assign surf_rsp_ready_o = open || placing;
+  assign open             = room && !occupied;
+  assign surf_rsp_ready_o = open || line_is_instance;
+
   logic               textured_valid, textured_pop;
   logic [RayBits-1:0] textured_ray;
 
-  assign enters       = open && (came || again_valid || textured_valid || arrived_valid);
-  assign again_pop    = open && !came && again_valid;
-  assign textured_pop = open && !came && !again_valid && textured_valid;
-  assign arrived_pop  = open && !came && !again_valid && !textured_valid && arrived_valid;
-  assign ray          = came ? surf_rsp_i.ray : again_valid ? again_ray
+  assign enters       = open && (surface_arrived || again_valid || textured_valid || arrived_valid);
+  assign again_pop    = open && !surface_arrived && again_valid;
+  assign textured_pop = open && !surface_arrived && !again_valid && textured_valid;
+  assign arrived_pop  = open && !surface_arrived && !again_valid && !textured_valid
+                     && arrived_valid;
+  assign ray          = surface_arrived ? surf_rsp_i.ray : again_valid ? again_ray
                       : textured_valid ? textured_ray : arrived_ray;
 
-  if (Every == 1) begin : gen_never_rests
+  if (Every == 1) begin : gen_never_occupied
     assign occupied = 1'b0;
-  end else begin : gen_rests
-    localparam int unsigned Rest = Every - 1;
+  end else begin : gen_occupied
+    localparam int unsigned Closed = Every - 1;   // cycles without another pass
 
-    logic [Rest-1:0] entered_q;   // the last cycles in which a pass entered
+    logic [Closed-1:0] entered_q;   // the last cycles in which a pass entered
     always_ff @(posedge clk_i) begin
       if (!rst_ni) entered_q <= '0;
-      else         entered_q <= Rest'({entered_q, enters});
+      else         entered_q <= Closed'({entered_q, enters});
     end
     assign occupied = |entered_q;
   end
@@ -330,7 +357,7 @@ module rc_shade (
   always_comb begin
     if (occupied)
       cause_o = rc_pkg::ShadeBusyWork;
-    else if (came || again_valid || textured_valid || arrived_valid)
+    else if (surface_arrived || again_valid || textured_valid || arrived_valid)
       cause_o = open ? rc_pkg::ShadeBusyWork : rc_pkg::ShadeStalledQueue;
     else
       cause_o = surf_waits_i ? rc_pkg::ShadeStarvedMemory : rc_pkg::ShadeStarvedList;
@@ -341,26 +368,26 @@ module rc_shade (
   rc_pkg::shade_hit_t                hit, closest_hit;
   logic [3*rc_pkg::OriginWidth-1:0]  o;
   logic [3*rc_pkg::DirBits-1:0]      d;
-  logic [rc_pkg::ShadeStateW-1:0]    state, end_state;
-  logic [rc_pkg::WaitingW-1:0]       top, pushed;
+  rc_pkg::shade_state_t              state, end_state;
+  rc_pkg::waiting_t                  top, pushed;
   logic [RayBits-1:0]                end_ray, material_ray;
   logic                              material_valid;
   rc_pkg::material_t                 hit_material;
-  logic [4:0]                        changes;
-  logic [3*rc_pkg::ColourBits:0]     texel;
-  logic [rc_pkg::TexReqW-1:0]        tex_req;
+  rc_pkg::shade_changes_t            changes;
+  rc_pkg::texel_t                    new_texel, texel;   // from tex, and as stored
   logic [RayBits-1:0]                texel_ray;
-  logic [3*rc_pkg::ColourBits:0]     texel_came;
-
-  assign texel_ray  = tex_rsp_i.ray;
-  assign texel_came = {tex_rsp_i.hole, tex_rsp_i.colour};
   logic [1:0]                        leave;
   logic                              push;
-  logic [rc_pkg::SpawnW-1:0]         spawn;
-  logic [rc_pkg::PixelW-1:0]         pixel;
+  rc_pkg::spawn_t                    spawn;
+  rc_pkg::pixel_t                    pixel;
+  rc_pkg::tex_req_t                  tex_req;
   logic                              passes;     // the state from rc_contexts is ready
   logic [RayBits-1:0]                pass_ray;
-  logic [rc_pkg::SurfaceW-1:0]       surface;
+  rc_pkg::surface_t                  surface;
+
+  assign texel_ray        = tex_rsp_i.ray;
+  assign new_texel.hole   = tex_rsp_i.hole;
+  assign new_texel.colour = tex_rsp_i.colour;
 
   if (Every == 1) begin : gen_at_once
     assign pass_ray = ray;
@@ -394,15 +421,15 @@ module rc_shade (
   rc_contexts u_contexts (
     .clk_i, .rst_ni, .slot_fires_i, .slot_i, .ray_fires_i, .ray_i, .kind_o(kind),
     .closest_fires_i(closest_valid_i), .closest_ray_i(closest_i.ray),
-    .closest_hit_i(closest_hit), .read_i(enters), .read_ray_i(ray), .read_valid_o(passes),
-    .place_fires_i(keeps), .scale_fires_i(placed), .place_ray_i(surf_rsp_i.ray),
-    .place_i(place_data),
-    .texel_fires_i(tex_rsp_fires_i), .texel_ray_i(texel_ray), .texel_i(texel_came),
+    .closest_hit_i(closest_hit), .read_valid_i(enters), .read_ray_i(ray), .state_valid_o(passes),
+    .place_fires_i(stores_instance), .scale_fires_i(instance_accepted),
+    .place_ray_i(surf_rsp_i.ray), .place_i(place_data),
+    .texel_fires_i(tex_rsp_fires_i), .texel_ray_i(texel_ray), .texel_i(new_texel),
     .texel_o(texel),
     .hit_o(hit), .o_o(o), .d_o(d), .state_o(state), .top_o(top), .place_o(place),
     .material_valid_i(material_valid), .material_ray_i(material_ray), .material_i(hit_material),
-    .write_i(end_valid),
-    .write_ray_i(end_ray), .changes_i(changes), .write_state_i(end_state),
+    .write_valid_i(end_valid), .write_ray_i(end_ray), .changes_i(changes),
+    .write_state_i(end_state),
     .push_i(push), .pushed_i(pushed));
 
   rc_pass u_pass (
@@ -454,14 +481,14 @@ module rc_shade (
     logic [SpawnDataW-1:0] spawn_then;
     logic [PixelDataW-1:0] pixel_then;
 
-    if (rc_pkg::PassCut == 0) begin : gen_keep
+    if (rc_pkg::PassCut == 0) begin : gen_register
       always_ff @(posedge clk_i) begin
         if (end_valid) begin
           spawn_then <= SpawnDataW'(spawn);
           pixel_then <= PixelDataW'(pixel);
         end
       end
-    end else begin : gen_kept   // rc_pass_end holds them
+    end else begin : gen_no_register   // rc_pass_end holds them
       assign spawn_then = SpawnDataW'(spawn);
       assign pixel_then = PixelDataW'(pixel);
     end
@@ -492,7 +519,10 @@ module rc_shade (
       .clk_i, .write_i(end_valid && leave == rc_pkg::LeaveTexture), .write_addr_i(end_ray),
       .write_data_i(TexDataW'(tex_req)), .read_addr_i(tex_ray), .read_data_o(tex_data));
 
-    assign tex_req_o = {tex_ray, tex_data};
+    always_comb begin
+      tex_req_o     = rc_pkg::TexReqW'(tex_data);
+      tex_req_o.ray = tex_ray;
+    end
 
     rc_queue #(.Width(RayBits), .Depth(Contexts)) u_textured (
       .clk_i, .rst_ni, .push_i(tex_rsp_fires_i), .data_i(texel_ray),
@@ -504,8 +534,12 @@ module rc_shade (
     assign unused = ^{tex_req_ready_i, tex_rsp_fires_i, textured_pop, tex_req};
   end
 
-  assign spawn_o = {spawn_ray, spawn_data};
-  assign pixel_o = {pixel_ray, pixel_data};
+  always_comb begin
+    spawn_o     = rc_pkg::SpawnW'(spawn_data);
+    spawn_o.ray = spawn_ray;
+    pixel_o     = rc_pkg::PixelW'(pixel_data);
+    pixel_o.ray = pixel_ray;
+  end
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni && end_valid)

@@ -57,13 +57,13 @@ module rc_tex (
 
   // ---- Answers: a record or texels, according to the context's last request.
   logic [Contexts-1:0] reads_texels_q;
-  logic [RayBits-1:0]  came_ray;
+  logic [RayBits-1:0]  rsp_ray;
   logic                record_comes, texels_come;
   logic [HitW-1:0]     hit;
 
-  assign came_ray     = texel_rsp_i.ray;
-  assign record_comes = texel_rsp_valid_i && !reads_texels_q[came_ray];
-  assign texels_come  = texel_rsp_valid_i && reads_texels_q[came_ray];
+  assign rsp_ray      = texel_rsp_i.ray;
+  assign record_comes = texel_rsp_valid_i && !reads_texels_q[rsp_ray];
+  assign texels_come  = texel_rsp_valid_i && reads_texels_q[rsp_ray];
 
   always_ff @(posedge clk_i) begin
     if (req_fires)   reads_texels_q[req_i.ray] <= 1'b0;
@@ -79,7 +79,7 @@ module rc_tex (
 
   rc_ram #(.Width(HitW), .Depth(Contexts)) u_hit (
     .clk_i, .write_i(req_fires), .write_addr_i(req_i.ray),
-    .write_data_i(req_flat[HitW-1:0]), .read_addr_i(came_ray),
+    .write_data_i(req_flat[HitW-1:0]), .read_addr_i(rsp_ray),
     .read_data_o(hit));
 
   // ---- From a record to the address of the texels.
@@ -89,7 +89,7 @@ module rc_tex (
   logic [PlaceW-1:0]   addressed_place, place;
 
   rc_texel_address u_address (
-    .clk_i, .rst_ni, .valid_i(record_comes), .ray_i(came_ray), .frame_i, .hit_i(hit),
+    .clk_i, .rst_ni, .valid_i(record_comes), .ray_i(rsp_ray), .frame_i, .hit_i(hit),
     .line_i(texel_rsp_i.line), .valid_o(addressed), .ray_o(addressed_ray),
     .line_o(addressed_line), .place_o(addressed_place));
 
@@ -99,11 +99,11 @@ module rc_tex (
 
   rc_ram #(.Width(PlaceW), .Depth(Contexts)) u_place (
     .clk_i, .write_i(addressed), .write_addr_i(addressed_ray), .write_data_i(addressed_place),
-    .read_addr_i(came_ray), .read_data_o(place));
+    .read_addr_i(rsp_ray), .read_data_o(place));
 
   // ---- From texels to a colour.
   rc_texel_filter u_filter (
-    .clk_i, .rst_ni, .valid_i(texels_come), .ray_i(came_ray), .line_i(texel_rsp_i.line),
+    .clk_i, .rst_ni, .valid_i(texels_come), .ray_i(rsp_ray), .line_i(texel_rsp_i.line),
     .place_i(place), .valid_o(rsp_fires_o), .rsp_o);
 
   assign cause_o = texel_rsp_valid_i ? rc_pkg::TexBusyWork

@@ -177,7 +177,9 @@ module rc_texel_filter #(
   always_ff @(posedge clk_i)
     if (valid_q[3]) s4_hole_q <= s3_alpha < {s3_cutoff, {(2*Frac){1'b0}}};
 
-  assign rsp_o = {ray, s4_hole_q, colour};
+  assign rsp_o.ray    = ray;
+  assign rsp_o.hole   = s4_hole_q;
+  assign rsp_o.colour = colour;
 
   logic unused;
   assign unused = ^line_i;

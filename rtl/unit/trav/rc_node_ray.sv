@@ -8,7 +8,7 @@
 `default_nettype none
 module rc_node_ray #(
   parameter  int unsigned Structure = rc_pkg::Structure,
-  parameter  int unsigned KeptW = rc_pkg::NodeReqBits - rc_pkg::NodeBits - rc_pkg::RayBits,
+  parameter  int unsigned FieldsW = rc_pkg::NodeReqBits - rc_pkg::NodeBits - rc_pkg::RayBits,
   localparam int unsigned RayBits     = rc_pkg::RayBits,
   localparam int unsigned OriginWidth = rc_pkg::OriginWidth,
   localparam int unsigned RayDirBits  = rc_pkg::RayDirBits,
@@ -28,11 +28,11 @@ module rc_node_ray #(
   // Result
   output logic                     valid_o,
   output logic [RayBits-1:0]       ray_o,
-  output logic [KeptW-1:0]         kept_o    // the origin is highest
+  output logic [FieldsW-1:0]         fields_o    // the origin is highest
 );
   if (Structure == rc_pkg::StructureSpheres) begin : gen_toward
     rc_globe_ray u_globe_ray (
-      .clk_i, .rst_ni, .valid_i, .ray_i, .o_i, .d_i, .short_i, .valid_o, .ray_o, .kept_o);
+      .clk_i, .rst_ni, .valid_i, .ray_i, .o_i, .d_i, .short_i, .valid_o, .ray_o, .fields_o);
   end else begin : gen_now
     assign valid_o = valid_i;
     assign ray_o   = ray_i;
@@ -43,9 +43,9 @@ module rc_node_ray #(
         assign along[k*RayDirBits +: RayDirBits] = d_i[k*RayDirBits +: RayDirBits]
                                                  << (short_i ? RayDirBits - rc_pkg::DirBits : 0);
       end
-      assign kept_o = {o_i, recip_i, len_i, along};
+      assign fields_o = {o_i, recip_i, len_i, along};
     end else begin : gen_signs
-      assign kept_o = {o_i, d_i[3*RayDirBits-1], d_i[2*RayDirBits-1], d_i[RayDirBits-1], recip_i,
+      assign fields_o = {o_i, d_i[3*RayDirBits-1], d_i[2*RayDirBits-1], d_i[RayDirBits-1], recip_i,
                        len_i};
     end
   end

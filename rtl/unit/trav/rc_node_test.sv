@@ -22,7 +22,7 @@ module rc_node_test #(
   input  logic             node_waits_i,
   output logic [rc_pkg::CauseBits-1:0] cause_o
 );
-  logic                       asks, ready, occupied, valid;
+  logic                       req_valid, ready, occupied, valid;
   rc_pkg::box_rsp_t           own;
   logic [rc_pkg::BoxRspW-1:0] own_flat, rsp_flat;
 
@@ -30,7 +30,7 @@ module rc_node_test #(
 `define RC_NODE_UNIT(STRUCTURE, UNIT) \
   if (Structure == rc_pkg::STRUCTURE) begin : gen_``UNIT \
     rc_``UNIT u_``UNIT ( \
-      .clk_i, .rst_ni, .req_valid_i(asks), .req_ready_o(ready), .req_i, .rsp_valid_o(valid), \
+      .clk_i, .rst_ni, .req_valid_i(req_valid), .req_ready_o(ready), .req_i, .rsp_valid_o(valid), \
       .rsp_ready_i(1'b1), .rsp_o(own)); \
   end
 
@@ -42,13 +42,13 @@ module rc_node_test #(
 
   if (Structure == rc_pkg::StructureBvh) begin : gen_box
     rc_box u_box (
-      .clk_i, .rst_ni, .req_valid_i(asks), .req_ready_o(ready), .req_i, .occupied_o(occupied),
+      .clk_i, .rst_ni, .req_valid_i(req_valid), .req_ready_o(ready), .req_i, .occupied_o(occupied),
       .rsp_valid_o(valid), .rsp_ready_i(1'b1), .rsp_o(own));
-  end else begin : gen_never_rests
+  end else begin : gen_never_occupied
     assign occupied = 1'b0;
   end
 
-  assign asks        = req_valid_i && open_i;
+  assign req_valid   = req_valid_i && open_i;
   assign req_ready_o = ready && open_i;
 
   // Padding of the answer.

@@ -26,7 +26,6 @@ module rc_stack (
   output logic                        again_o
 );
   localparam int unsigned RayBits    = rc_pkg::RayBits;
-  localparam int unsigned AddrBits   = rc_pkg::AddrBits;
   localparam int unsigned TBits      = rc_pkg::TBits;
   localparam int unsigned SlotBits   = rc_pkg::SlotBits;
   localparam int unsigned GroupBits  = rc_pkg::GroupBits;
@@ -34,9 +33,7 @@ module rc_stack (
   localparam int unsigned StackBits  = rc_pkg::StackBits;
   localparam int unsigned StackDepth = rc_pkg::StackDepth;
   localparam int unsigned LevelW     = StackDepth < 2 ? 1 : $clog2(StackDepth);
-  // {below, base, count, t_near of NodeWidth - 1 siblings, their slots}
-  localparam int unsigned GroupW = TBits + AddrBits + GroupBits
-                                 + (NodeWidth - 1) * (TBits + SlotBits);
+  localparam int unsigned GroupW     = rc_pkg::StackGroupW;
 
   localparam int unsigned Late = rc_pkg::StackStages;
   localparam int unsigned Cut  = rc_pkg::PathCut;
@@ -49,12 +46,12 @@ module rc_stack (
   logic [rc_pkg::Contexts-1:0] used;
   logic                 end_valid;
   logic [RayBits-1:0]   end_ray;
-  logic [StackBits-1:0] s0_kept, s1_kept_q, kept, kept_height, end_height, height_d, level;
-  logic                 is_used;   // of s1; in a fast chip one cycle later, as kept and kept_height
+  logic [StackBits-1:0] s0_stored, s1_stored_q, stored, stored_height, end_height, height_d, level;
+  logic                 is_used;   // of s1; in a fast chip a cycle later, like stored
 
   rc_ram #(.Width(StackBits), .Depth(rc_pkg::Contexts)) u_height (
     .clk_i, .write_i(end_valid), .write_addr_i(end_ray), .write_data_i(height_d),
-    .read_addr_i(s0_ray_i), .read_data_o(s0_kept));
+    .read_addr_i(s0_ray_i), .read_data_o(s0_stored));
 
   rc_flags #(.Flags(rc_pkg::Contexts)) u_used (
     .clk_i, .rst_ni, .clear_i(1'b0), .clear_at_i(RayBits'(0)), .set_i(end_valid),
@@ -63,20 +60,21 @@ module rc_stack (
   rc_bit_select #(.Flags(rc_pkg::Contexts)) u_is_used (
     .clk_i, .flags_i(used), .index_i(s1_tested_i.ray), .flag_o(is_used));
 
-  rc_path_register #(.Width(StackBits)) u_kept (.clk_i, .data_i(s1_kept_q), .data_o(kept));
+  rc_path_register #(.Width(StackBits)) u_stored (.clk_i, .data_i(s1_stored_q), .data_o(stored));
 
-  assign kept_height = is_used ? kept : '0;
+  assign stored_height = is_used ? stored : '0;
 
   // Address of the top group: read in s0, in a fast chip in s1.
   logic                 write, read;
   logic [RayBits-1:0]   read_ray;
   logic [StackBits-1:0] read_height;
-  logic [GroupW-1:0]    group_d, read_group, group;
+  logic [GroupW-1:0]    read_group, group_flat;
+  rc_pkg::stack_group_t group_d, group;
 
   if (Cut == 0) begin : gen_read_now
-    assign {read, read_ray, read_height} = {s0_valid_i, s0_ray_i, s0_kept};
+    assign {read, read_ray, read_height} = {s0_valid_i, s0_ray_i, s0_stored};
   end else begin : gen_read_late
-    assign {read, read_ray, read_height} = {s1_valid_i, s1_tested_i.ray, s1_kept_q};
+    assign {read, read_ray, read_height} = {s1_valid_i, s1_tested_i.ray, s1_stored_q};
   end
 
   function automatic logic [AddrW-1:0] address(input logic [RayBits-1:0] of,
@@ -110,7 +108,8 @@ module rc_stack (
     .read_i(read), .read_addr_i(address(read_ray, read_height - StackBits'(1))),
     .read_data_o(read_group));
 
-  rc_path_register #(.Width(GroupW)) u_group (.clk_i, .data_i(read_group), .data_o(group));
+  rc_path_register #(.Width(GroupW)) u_group (.clk_i, .data_i(read_group), .data_o(group_flat));
+  assign group = group_flat;
 
   // Comparisons of the ray's step, its new children and its top group.
   logic [rc_pkg::TestedW-1:0]   tested_flat;
@@ -123,21 +122,19 @@ module rc_stack (
     .clk_i, .data_i({s1_tested_i, s1_children_i}), .data_o({tested_flat, children_flat}));
 
   rc_path_register #(.Width(StackBits), .Stages(Late - 2 * Cut)) u_now_height (
-    .clk_i, .data_i(kept_height), .data_o(height));
+    .clk_i, .data_i(stored_height), .data_o(height));
 
   assign tested   = tested_flat;
   assign children = children_flat;
 
   logic [TBits-1:0]                  top_below, below;
-  logic [AddrBits-1:0]               top_base;
-  logic [GroupBits-1:0]              top_count;
   logic [(NodeWidth-1)*TBits-1:0]    top_near;
-  logic [(NodeWidth-1)*SlotBits-1:0] top_slot;
   logic [NodeWidth*TBits-1:0]        near;
   logic                              stop, forward, top_matters, below_matters;
 
-  assign {top_below, top_base, top_count, top_near, top_slot} = group;
-  assign near = children.t_near;
+  assign top_below = group.below;
+  assign top_near  = group.t_near;
+  assign near      = children.t_near;
 
   if (rc_pkg::Shading) begin : gen_stop
     assign stop = tested.stop;
@@ -156,21 +153,23 @@ module rc_stack (
 
   // The end: results of the comparisons, and the new group.
   logic                              end_stop, end_forward, end_top_matters, end_below_matters;
-  logic [TBits-1:0]                  end_top_below, end_below;
-  logic [AddrBits-1:0]               end_top_base;
-  logic [GroupBits-1:0]              end_top_count;
-  logic [(NodeWidth-1)*TBits-1:0]    end_top_near;
-  logic [(NodeWidth-1)*SlotBits-1:0] end_top_slot;
+  logic [TBits-1:0]                  end_below;
+  logic [GroupW-1:0]                 end_group_flat;
+  rc_pkg::stack_group_t              end_group;
+  logic [(NodeWidth-1)*TBits-1:0]    end_group_near;
+  logic [(NodeWidth-1)*SlotBits-1:0] end_group_slot;
 
   rc_path_register #(.Width(4 + TBits + GroupW + rc_pkg::ChildrenW + StackBits + RayBits)) u_end (
     .clk_i,
-    .data_i({stop, forward, top_matters, below_matters, below, group, children_flat, height,
+    .data_i({stop, forward, top_matters, below_matters, below, group_flat, children_flat, height,
              tested.ray}),
     .data_o({end_stop, end_forward, end_top_matters, end_below_matters, end_below,
-             end_top_below, end_top_base, end_top_count, end_top_near, end_top_slot,
-             end_children_flat, end_height, end_ray}));
+             end_group_flat, end_children_flat, end_height, end_ray}));
 
-  assign end_children = end_children_flat;
+  assign end_children   = end_children_flat;
+  assign end_group      = end_group_flat;
+  assign end_group_near = end_group.t_near;
+  assign end_group_slot = end_group.slot;
 
   if (Late == 0) begin : gen_end_now
     assign end_valid = s1_valid_i;
@@ -189,7 +188,7 @@ module rc_stack (
 
   assign end_near     = end_children.t_near;
   assign end_slot     = end_children.slot;
-  assign last_sibling = end_top_count == GroupBits'(1);
+  assign last_sibling = end_group.count == GroupBits'(1);
 
   // Decision: visit a child, pop a sibling, end the ray, or drop the group.
   always_comb begin
@@ -200,10 +199,15 @@ module rc_stack (
     level        = end_height;
     height_d     = end_height;
 
-    visit_base_o = end_forward ? end_children.base : end_top_base;
-    visit_slot_o = end_forward ? end_slot[SlotBits-1:0] : end_top_slot[SlotBits-1:0];
-    group_d      = {end_below, end_children.base, end_children.inner - GroupBits'(1),
-                    end_near[NodeWidth*TBits-1:TBits], end_slot[NodeWidth*SlotBits-1:SlotBits]};
+    visit_base_o = end_forward ? end_children.base : end_group.base;
+    visit_slot_o = end_forward ? end_slot[SlotBits-1:0] : end_group_slot[SlotBits-1:0];
+
+    // The siblings of the visited child.
+    group_d.below  = end_below;
+    group_d.base   = end_children.base;
+    group_d.count  = end_children.inner - GroupBits'(1);
+    group_d.t_near = end_near[NodeWidth*TBits-1:TBits];
+    group_d.slot   = end_slot[NodeWidth*SlotBits-1:SlotBits];
 
     if (end_valid && end_forward) begin
       visit_o = 1'b1;
@@ -218,8 +222,11 @@ module rc_stack (
       visit_o  = 1'b1;
       level    = end_height - StackBits'(1);
       write    = !last_sibling;
-      group_d  = {end_top_below, end_top_base, end_top_count - GroupBits'(1), end_top_near >> TBits,
-                  end_top_slot >> SlotBits};
+
+      group_d        = end_group;
+      group_d.count  = end_group.count - GroupBits'(1);
+      group_d.t_near = end_group_near >> TBits;
+      group_d.slot   = end_group_slot >> SlotBits;
       if (last_sibling) height_d = end_height - StackBits'(1);
     end else if (end_valid && (end_height == StackBits'(1) || !end_below_matters)) begin
       done_o   = 1'b1;
@@ -230,10 +237,10 @@ module rc_stack (
     end
   end
 
-  always_ff @(posedge clk_i) if (s0_valid_i) s1_kept_q <= s0_kept;
+  always_ff @(posedge clk_i) if (s0_valid_i) s1_stored_q <= s0_stored;
 
   logic unused;   // partly unused: only compared
-  assign unused = ^{children, near, top_base, top_count, top_near, top_slot, end_near};
+  assign unused = ^{children, near, group, top_near, end_near};
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i)

@@ -91,12 +91,13 @@ module rc_trav (
   localparam int unsigned CountBits  = rc_pkg::CountBits;
 
   // ---- Rays: the fields that the unit that decides nodes needs wait here for the ray's nodes.
-  localparam int unsigned BoxRayW = rc_pkg::NodeReqBits - rc_pkg::NodeBits - rc_pkg::RayBits;
+  localparam int unsigned NodeRayW = rc_pkg::DecideRayW;
 
-  logic ray_fires, keep;
+  logic                    ray_fires, fields_valid;
   logic [3*RayDirBits-1:0] ray_d;
-  logic [RayBits-1:0]      keep_ray;
-  logic [BoxRayW-1:0]      keep_data, kept_ray;
+  logic [RayBits-1:0]      fields_ray;
+  logic [NodeRayW-1:0]     new_fields, fields_flat;
+  rc_pkg::decide_ray_t       ray_fields;
 
   assign ray_fires = ray_valid_i && ray_ready_o;
   assign ray_d     = ray_i.d;
@@ -110,101 +111,129 @@ module rc_trav (
     assign is_short = 1'b1;
   end
 
-  rc_node_ray u_wanted (
+  rc_node_ray u_node_ray (
     .clk_i, .rst_ni, .valid_i(ray_fires), .ray_i(ray_i.ray), .o_i(ray_i.o), .d_i(ray_d),
     .recip_i(ray_i.recip), .len_i(ray_i.len), .short_i(is_short),
-    .valid_o(keep), .ray_o(keep_ray), .kept_o(keep_data));
+    .valid_o(fields_valid), .ray_o(fields_ray), .fields_o(new_fields));
 
-  rc_ram_prefetch #(.Width(BoxRayW), .Depth(Contexts)) u_ray (
-    .clk_i, .rst_ni, .write_i(keep), .write_addr_i(keep_ray), .write_data_i(keep_data),
+  rc_ram_prefetch #(.Width(NodeRayW), .Depth(Contexts)) u_ray (
+    .clk_i, .rst_ni, .write_i(fields_valid), .write_addr_i(fields_ray), .write_data_i(new_fields),
     .head_addr_i(node_rsp_i.ray), .next_fires_i(node_next_fires_i),
-    .next_addr_i(node_next_i), .read_data_o(kept_ray));
+    .next_addr_i(node_next_i), .read_data_o(fields_flat));
+
+  assign ray_fields = fields_flat;
 
   // ---- Nodes from memory, with their rays.
   logic [rc_pkg::NodeRspW-1:0] node_rsp;   // {ray, node}: the node's format is unknown here
-  assign node_rsp  = node_rsp_i;
+  rc_pkg::decide_req_t         decide_req;
+  rc_pkg::mesh_req_t           mesh_req;
+  rc_pkg::xform_ray_t          new_xform_ray, xform_ray;   // what xform needs, without the origin
+  rc_pkg::xform_req_t          xform_req;
+
+  assign node_rsp        = node_rsp_i;
+  assign decide_req.ray  = node_rsp_i.ray;
+  assign decide_req.node = node_rsp[rc_pkg::NodeBits-1:0];
+  assign decide_req_o    = decide_req;
 
   if (rc_pkg::Levels == 1) begin : gen_nodes
-    assign decide_req_o       = {node_rsp_i.ray, kept_ray, node_rsp[rc_pkg::NodeBits-1:0]};
-    assign decide_req_valid_o = node_rsp_valid_i;
-    assign node_rsp_ready_o   = decide_req_ready_i;
-    assign {xform_req_valid_o, xform_req_o, mesh_req_valid_o, mesh_req_o} = '0;
+    assign decide_req.ray_fields = ray_fields;
+    assign decide_req_valid_o    = node_rsp_valid_i;
+    assign node_rsp_ready_o      = decide_req_ready_i;
+    assign mesh_req_valid_o      = 1'b0;
+    assign mesh_req_o            = '0;
+    assign xform_req_valid_o     = 1'b0;
+    assign xform_req_o           = '0;
+    assign {mesh_req, new_xform_ray, xform_ray, xform_req} = '0;
 
     logic unused;
-    assign unused = xform_req_ready_i ^ mesh_req_ready_i;
+    assign unused = ^{xform_req_ready_i, mesh_req_ready_i, mesh_req, new_xform_ray, xform_ray,
+                      xform_req};
   end else begin : gen_instances
-    logic               is_instance;
+    localparam int unsigned XformRayW = rc_pkg::XformRayW;
+    localparam int unsigned MeshRayW  = rc_pkg::MeshRayW;
+    logic [XformRayW-1:0] xform_ray_flat;
+    logic                 mesh_fields_valid, mesh_is_short, in_mesh, is_instance;
+    logic [RayBits-1:0]   mesh_fields_ray;
+    logic [MeshRayW-1:0]  new_mesh_fields, mesh_ray_fields;
 
-    // Fields that xform needs in addition to the origin: the direction and, if the chip shades, the
-    // ray's kind and home.
-    localparam int unsigned KeptW = rc_pkg::XformReqW - RayBits - rc_pkg::PlacementW
-                                  - 3 * rc_pkg::OriginWidth;
-    localparam int unsigned Home  = KeptW - 3 * RayDirBits;
-    localparam int unsigned MeshRayW = rc_pkg::MeshReqBits - rc_pkg::MeshNodeBits - RayBits;
-
-    logic [KeptW-1:0]    keep_way, kept_way;
-    logic                changed, changed_short, in_mesh;
-    logic [RayBits-1:0]  changed_at;
-    logic [MeshRayW-1:0] change_data, changed_ray;
+    assign new_xform_ray.d = ray_d;
 
     if (rc_pkg::HasHomes) begin : gen_homes
-      assign keep_way      = {ray_i.kind, ray_i.home, ray_i.home_o, ray_i.home_d, ray_d};
-      assign changed_short = change_i.kind != rc_pkg::RayShadow;
+      assign new_xform_ray.kind   = ray_i.kind;
+      assign new_xform_ray.home   = ray_i.home;
+      assign new_xform_ray.home_o = ray_i.home_o;
+      assign new_xform_ray.home_d = ray_i.home_d;
+      assign mesh_is_short        = change_i.kind != rc_pkg::RayShadow;
     end else begin : gen_no_homes
-      assign keep_way      = ray_d;
-      assign changed_short = 1'b1;
+      assign mesh_is_short = 1'b1;
     end
 
-    rc_node_ray #(.Structure(rc_pkg::MeshStructure), .KeptW(MeshRayW)) u_change (
+    rc_node_ray #(.Structure(rc_pkg::MeshStructure), .FieldsW(MeshRayW)) u_change (
       .clk_i, .rst_ni, .valid_i(change_fires_i), .ray_i(change_i.ray), .o_i(change_i.o),
-      .d_i(change_i.d), .recip_i(change_i.recip), .len_i(change_i.len), .short_i(changed_short),
-      .valid_o(changed), .ray_o(changed_at), .kept_o(change_data));
+      .d_i(change_i.d), .recip_i(change_i.recip), .len_i(change_i.len), .short_i(mesh_is_short),
+      .valid_o(mesh_fields_valid), .ray_o(mesh_fields_ray), .fields_o(new_mesh_fields));
 
-    rc_ram_prefetch #(.Width(KeptW), .Depth(Contexts)) u_direction (
-      .clk_i, .rst_ni, .write_i(ray_fires), .write_addr_i(ray_i.ray), .write_data_i(keep_way),
-      .head_addr_i(node_rsp_i.ray), .next_fires_i(node_next_fires_i),
-      .next_addr_i(node_next_i), .read_data_o(kept_way));
+    rc_ram_prefetch #(.Width(XformRayW), .Depth(Contexts)) u_xform_ray (
+      .clk_i, .rst_ni, .write_i(ray_fires), .write_addr_i(ray_i.ray),
+      .write_data_i(new_xform_ray), .head_addr_i(node_rsp_i.ray),
+      .next_fires_i(node_next_fires_i), .next_addr_i(node_next_i), .read_data_o(xform_ray_flat));
 
-    rc_ram_prefetch #(.Width(MeshRayW), .Depth(Contexts)) u_changed (
-      .clk_i, .rst_ni, .write_i(changed), .write_addr_i(changed_at), .write_data_i(change_data),
-      .head_addr_i(node_rsp_i.ray), .next_fires_i(node_next_fires_i),
-      .next_addr_i(node_next_i), .read_data_o(changed_ray));
+    rc_ram_prefetch #(.Width(MeshRayW), .Depth(Contexts)) u_mesh_ray (
+      .clk_i, .rst_ni, .write_i(mesh_fields_valid), .write_addr_i(mesh_fields_ray),
+      .write_data_i(new_mesh_fields), .head_addr_i(node_rsp_i.ray),
+      .next_fires_i(node_next_fires_i), .next_addr_i(node_next_i), .read_data_o(mesh_ray_fields));
 
+    assign xform_ray         = xform_ray_flat;
     assign in_mesh           = node_rsp_i.what == rc_pkg::LineMeshNode;
     assign is_instance       = node_rsp_i.what == rc_pkg::LinePlacement;
     assign xform_req_valid_o = node_rsp_valid_i && is_instance;
 
     if (rc_pkg::MeshStructure == rc_pkg::Structure) begin : gen_same
-      assign decide_req_o       = {node_rsp_i.ray, in_mesh ? changed_ray : kept_ray,
-                                   node_rsp[rc_pkg::NodeBits-1:0]};
-      assign decide_req_valid_o = node_rsp_valid_i && !is_instance;
-      assign node_rsp_ready_o   = is_instance ? xform_req_ready_i : decide_req_ready_i;
-      assign {mesh_req_valid_o, mesh_req_o} = '0;
+      assign decide_req.ray_fields = in_mesh ? mesh_ray_fields : ray_fields;
+      assign decide_req_valid_o    = node_rsp_valid_i && !is_instance;
+      assign node_rsp_ready_o      = is_instance ? xform_req_ready_i : decide_req_ready_i;
+      assign mesh_req_valid_o      = 1'b0;
+      assign mesh_req              = '0;
+      assign mesh_req_o            = '0;
 
       logic unused;
-      assign unused = mesh_req_ready_i;
+      assign unused = ^{mesh_req_ready_i, mesh_req};
     end else begin : gen_own
-      assign decide_req_o       = {node_rsp_i.ray, kept_ray, node_rsp[rc_pkg::NodeBits-1:0]};
-      assign mesh_req_o         = {node_rsp_i.ray, changed_ray, node_rsp[rc_pkg::MeshNodeBits-1:0]};
-      assign decide_req_valid_o = node_rsp_valid_i && !is_instance && !in_mesh;
-      assign mesh_req_valid_o   = node_rsp_valid_i && in_mesh;
-      assign node_rsp_ready_o   = is_instance ? xform_req_ready_i
-                                : in_mesh     ? mesh_req_ready_i : decide_req_ready_i;
+      assign mesh_req.ray        = node_rsp_i.ray;
+      assign mesh_req.ray_fields = mesh_ray_fields;
+      assign mesh_req.node       = node_rsp[rc_pkg::MeshNodeBits-1:0];
+
+      assign decide_req.ray_fields = ray_fields;
+      assign decide_req_valid_o    = node_rsp_valid_i && !is_instance && !in_mesh;
+      assign mesh_req_valid_o      = node_rsp_valid_i && in_mesh;
+      assign mesh_req_o            = mesh_req;
+      assign node_rsp_ready_o      = is_instance ? xform_req_ready_i
+                                   : in_mesh     ? mesh_req_ready_i : decide_req_ready_i;
     end
 
-    logic [3*rc_pkg::OriginWidth-1:0] kept_o;
-    assign kept_o = kept_ray[BoxRayW-1 -: 3*rc_pkg::OriginWidth];
+    // The fields of the instance lie lowest in a request.
+    always_comb begin
+      xform_req     = rc_pkg::XformReqW'(node_rsp[rc_pkg::PlacementW-1:0]);
+      xform_req.ray = node_rsp_i.ray;
+      xform_req.o   = ray_fields.o;
+      xform_req.d   = xform_ray.d;
+    end
 
-    if (Home == 0) begin : gen_request
-      assign xform_req_o = {node_rsp_i.ray, kept_o, kept_way, node_rsp[rc_pkg::PlacementW-1:0]};
-    end else begin : gen_home_request   // kind and home come first
-      assign xform_req_o = {node_rsp_i.ray, kept_way[KeptW-1:3*RayDirBits], kept_o,
-                            kept_way[3*RayDirBits-1:0], node_rsp[rc_pkg::PlacementW-1:0]};
+    if (rc_pkg::HasHomes) begin : gen_home_request
+      always_comb begin
+        xform_req_o        = xform_req;
+        xform_req_o.kind   = xform_ray.kind;
+        xform_req_o.home   = xform_ray.home;
+        xform_req_o.home_o = xform_ray.home_o;
+        xform_req_o.home_d = xform_ray.home_d;
+      end
+    end else begin : gen_request
+      assign xform_req_o = xform_req;
     end
 
 `ifndef SYNTHESIS
-    always_ff @(posedge clk_i) if (rst_ni && changed && node_rsp_valid_i)
-      a_changed: assert (changed_at != node_rsp_i.ray)
+    always_ff @(posedge clk_i) if (rst_ni && mesh_fields_valid && node_rsp_valid_i)
+      a_mesh_ray_first: assert (mesh_fields_ray != node_rsp_i.ray)
       else $error("a mesh's node is there before the ray in its space");
 `endif
   end
@@ -256,13 +285,23 @@ module rc_trav (
     assign rsp1_slot[i*SlotBits +: SlotBits] = rsp1_offset[i*OffsetBits + 1 +: SlotBits];
   end
 
-  rc_pkg::leaves_t              leaves;
-  logic [rc_pkg::LeavesW-1:0]   rsp1_leaves, leaves_flat;
-  logic [rc_pkg::ChildrenW-1:0] rsp1_children, children;
+  rc_pkg::leaves_t              rsp1_leaves, leaves;
+  rc_pkg::children_t            rsp1_children;
+  logic [rc_pkg::LeavesW-1:0]   leaves_flat;
+  logic [rc_pkg::ChildrenW-1:0] children;
   logic [TBits-1:0]             leaves_beat;
 
-  assign rsp1_leaves   = {rsp1.ray, rsp1.base, rsp1.leaves, leaf_near, leaf_offset, leaf_count};
-  assign rsp1_children = {rsp1.base, rsp1.inner, rsp1.t_near, rsp1_slot};
+  assign rsp1_leaves.ray    = rsp1.ray;
+  assign rsp1_leaves.base   = rsp1.base;
+  assign rsp1_leaves.leaves = rsp1.leaves;
+  assign rsp1_leaves.t_near = leaf_near;
+  assign rsp1_leaves.offset = leaf_offset;
+  assign rsp1_leaves.count  = leaf_count;
+
+  assign rsp1_children.base   = rsp1.base;
+  assign rsp1_children.inner  = rsp1.inner;
+  assign rsp1_children.t_near = rsp1.t_near;
+  assign rsp1_children.slot   = rsp1_slot;
 
   rc_path_register #(.Width(rc_pkg::LeavesW + rc_pkg::ChildrenW + TBits)) u_moved (
     .clk_i, .data_i({rsp1_leaves, rsp1_children, rsp1_t}),
@@ -359,11 +398,11 @@ module rc_trav (
   // ---- Stage 1: the step and the ray's children.
   logic                         s1_valid_q, s1_again_q;
   logic [rc_pkg::TestedW-1:0]   s1_tested_q, end_tested_flat;
-  logic [rc_pkg::ChildrenW-1:0] kept_children, s1_children;   // inner children of each ray's node
+  logic [rc_pkg::ChildrenW-1:0] stored_children, s1_children;   // inner children of each ray's node
   rc_pkg::tested_t              s1_tested, end_tested;
 
   assign s1_tested   = s1_tested_q;
-  assign s1_children = s1_again_q ? '0 : kept_children;
+  assign s1_children = s1_again_q ? '0 : stored_children;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) s1_valid_q <= 1'b0;
@@ -376,7 +415,7 @@ module rc_trav (
   rc_ram_prefetch #(.Width(rc_pkg::ChildrenW), .Depth(Contexts)) u_children (
     .clk_i, .rst_ni, .write_i(rsp2_fires), .write_addr_i(leaves.ray), .write_data_i(children),
     .head_addr_i(s1_tested.ray), .next_fires_i(step_fires), .next_addr_i(step.ray),
-    .read_data_o(kept_children));
+    .read_data_o(stored_children));
 
   rc_path_register #(.Width(rc_pkg::TestedW), .Stages(rc_pkg::StackStages)) u_wait (
     .clk_i, .data_i(s1_tested_q), .data_o(end_tested_flat));
@@ -396,7 +435,8 @@ module rc_trav (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) again_q <= 1'b0;
     else         again_q <= again;
-    if (again) {again_ray_q, again_t_q} <= {end_tested.ray, end_tested.t_best};
+    if (again) again_ray_q <= end_tested.ray;
+    if (again) again_t_q   <= end_tested.t_best;
   end
 
   // ---- Nodes to fetch. New rays wait for a gap.
@@ -455,8 +495,8 @@ module rc_trav (
     .next_fires_o(done_next_fires_o), .next_o(done_next_o));
 
 `ifndef SYNTHESIS
-  always_ff @(posedge clk_i) if (rst_ni && keep && node_rsp_valid_i)
-    a_kept: assert (keep_ray != node_rsp_i.ray)
+  always_ff @(posedge clk_i) if (rst_ni && fields_valid && node_rsp_valid_i)
+    a_ray_first: assert (fields_ray != node_rsp_i.ray)
     else $error("a ray's node is there before the ray");
   always_ff @(posedge clk_i) if (rst_ni && ends) a_done_never_full: assert (done_place)
     else $error("a queue that cannot overflow did");

@@ -110,7 +110,7 @@ module rc_tree (
     assign mesh_rsp_ready = decide_rsp_ready;
     assign rsp            = mesh_rsp_valid ? mesh_rsp : decide_rsp;
 
-    rc_credit_counter #(.Credits(rc_pkg::BoxQueue)) u_door (
+    rc_credit_counter #(.Credits(rc_pkg::BoxQueue)) u_credits (
       .clk_i, .rst_ni,
       .admit_i((decide_req_valid && decide_req_ready) || (mesh_req_valid && mesh_req_ready)),
       .leave_i(decide_rsp_valid || mesh_rsp_valid), .open_o(open));

@@ -28,7 +28,7 @@ module rc_sphere #(
   input  logic                     s0_valid_i,
   // Ray
   input  logic                     s0_any_i,      // any hit will do: a ray from or to a light
-  // From a surface; other rays with s0_any come from a light.
+  // s0_leaves_i: the ray starts from a surface. Other rays with s0_any_i start from a light.
   input  logic                     s0_leaves_i,
   input  logic                     s0_own_i,      // the sphere on which the ray begins or ends
   input  logic                     s0_inside_i,   // the ray is inside its own sphere
@@ -37,7 +37,7 @@ module rc_sphere #(
   // Sphere
   input  logic [3*N-1:0]           s0_c_i,        // centre
   input  logic [2*N-1:0]           s0_rr_i,       // square of the radius
-  // Visible from inside as well: its material transmits.
+  // s0_glass_i: the sphere is visible from inside as well, because its material transmits light.
   input  logic                     s0_glass_i,
   // Best hit
   output logic                     best_next_o,   // requests the best hit for the next cycle
@@ -409,7 +409,7 @@ module rc_sphere #(
 
   // ---- Distance: ceil(2^(M-1+F-OriginBits) way / d.d), saturated, as in rc_hitdiv.
   localparam int unsigned QuoW  = Bits * DivSteps;
-  // At least 2: M <= N + OriginBits + 1.
+  // Right is at least 2, because M <= N + OriginBits + 1.
   localparam int unsigned Right = N + 3 + OriginBits > M ? N + 3 + OriginBits - M : 1;
 
   logic [WayW-1:0]        w_above;

@@ -74,9 +74,9 @@ module rc_tri (
     .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .occupied_i(occupied_o),
     .leave_i(rsp_valid_o && rsp_ready_i), .admit_o(admit), .valid_q_o(valid_q));
 
-  if (Interval > 1) begin : gen_rests
+  if (Interval > 1) begin : gen_occupied
     assign occupied_o = |valid_q[Interval-2:0];
-  end else begin : gen_never_rests
+  end else begin : gen_never_occupied
     assign occupied_o = 1'b0;
   end
 
@@ -258,18 +258,18 @@ module rc_tri (
     .clk_i, .data_i(f0_hit), .data_o(f1_hit));
 
   // In a simulation of a relaxed chip, unused products cost no work. Silicon has no such condition.
-  logic f1_asks;
+  logic f1_computes;
 `ifdef SYNTHESIS
-  assign f1_asks = 1'b1;
+  assign f1_computes = 1'b1;
 `else
   logic f1_found;
   rc_shift_register #(.Width(1), .Stages(Wide - 1 - In)) u_f1_found (
     .clk_i, .enable_i(flat_enable[Wide-2:In]), .data_i(in_found), .data_o(f1_found));
-  assign f1_asks = Cut != 0 || f1_found;
+  assign f1_computes = Cut != 0 || f1_found;
 `endif
 
   always_ff @(posedge clk_i) begin
-    if (flat_enable[Wide-1] && (Cut != 0 || f1_hit) && f1_asks) begin
+    if (flat_enable[Wide-1] && (Cut != 0 || f1_hit) && f1_computes) begin
       f1_mine_q   <= f0_mine;
       f1_theirs_q <= f0_theirs;
     end

@@ -40,7 +40,7 @@ module rc_xform (
   localparam int unsigned R1          = rc_pkg::RecipBits + 1;
   localparam int unsigned ExpBits     = rc_pkg::ExpBits;
   localparam int unsigned Latency     = rc_pkg::XformLatency;
-  localparam int unsigned Share  =    rc_pkg::RecipShare;
+  localparam int unsigned Share       = rc_pkg::RecipShare;
 
   // Stages in which a ray has arrived, its products are ready, and it is transformed.
   localparam int unsigned In    = rc_pkg::PathCut;
@@ -52,9 +52,9 @@ module rc_xform (
 
   assign admit = req_valid_i && req_ready_o;
 
-  if (rc_pkg::XformInterval == 1) begin : gen_always
+  if (rc_pkg::XformInterval == 1) begin : gen_never_occupied
     assign occupied_o = 1'b0;
-  end else begin : gen_rest
+  end else begin : gen_occupied
     localparam int unsigned LeftW = $clog2(rc_pkg::XformInterval);
     logic [LeftW-1:0] left_q;
 
@@ -132,18 +132,18 @@ module rc_xform (
 
   logic [3*FactorW-1:0] moved_o, moved_d;   // as wide as the wider of the two
   for (genvar i = 0; i < 6; i++) begin : gen_sum
-    logic [SumW-1:0]    rest, first_q, second_q;
+    logic [SumW-1:0]    addend, first_q, second_q;
     logic [SumW-1:0]    total;
     logic [FactorW-1:0] moved_q, home, rounded;
 
     if (i < 3) begin : gen_point
-      assign rest = made_b[i*SumW +: SumW];
+      assign addend = made_b[i*SumW +: SumW];
       assign moved_o[i*FactorW +: FactorW] = moved_q;
       assign home = FactorW'($signed(home_o[i*OriginWidth +: OriginWidth]));
       assign rounded = sum_shadow ? total[MapFrac +: FactorW] >> OriginBits << OriginBits
                      : total[MapFrac +: FactorW];
     end else begin : gen_direction
-      assign rest = Half;
+      assign addend = Half;
       assign moved_d[(i-3)*FactorW +: FactorW] = moved_q;
       assign home = FactorW'($signed(home_d[(i-3)*RayDirBits +: RayDirBits]));
       assign rounded = total[MapFrac +: FactorW];
@@ -155,7 +155,7 @@ module rc_xform (
       if (valid[Made]) begin
         first_q  <= SumW'($signed(product[3*i*ProductW +: ProductW]))
                   + SumW'($signed(product[(3*i+1)*ProductW +: ProductW]));
-        second_q <= SumW'($signed(product[(3*i+2)*ProductW +: ProductW])) + rest;
+        second_q <= SumW'($signed(product[(3*i+2)*ProductW +: ProductW])) + addend;
       end
       if (valid[Made+1]) moved_q <= at_home ? home : rounded;
     end
@@ -240,25 +240,39 @@ module rc_xform (
 
   // ---- Delays. Ray, first and root; if the chip shades, the ray's kind and the instance's line as
   // well.
-  localparam int unsigned WhoseW = rc_pkg::ChangeW - 3 * (OriginWidth + RayDirBits + R1 + ExpBits);
-  logic [WhoseW-1:0]    in_whose, end_whose;
+  localparam int unsigned TagW = rc_pkg::ChangeTagW;
+  rc_pkg::change_tag_t      in_tag, end_tag;
+  logic [TagW-1:0]          end_tag_flat;
+  logic [3*OriginWidth-1:0] end_o;
+  logic [3*RayDirBits-1:0]  end_d;
 
-  if (rc_pkg::HasHomes) begin : gen_whose_home
-    assign in_whose = {in.ray, in.kind, in.first, in.root, in.here};
-  end else begin : gen_whose
-    assign in_whose = {in.ray, in.first, in.root};
-  end
+  assign in_tag.ray   = in.ray;
+  assign in_tag.first = in.first;
+  assign in_tag.root  = in.root;
 
-  logic [3*(OriginWidth+RayDirBits)-1:0]   end_moved;
+  rc_delay_ram #(.Width(TagW), .Stages(Latency - In)) u_tag (
+    .clk_i, .rst_ni, .valid_i(valid[In]), .data_i(in_tag), .data_o(end_tag_flat));
 
-  rc_delay_ram #(.Width(WhoseW), .Stages(Latency - In)) u_whose (
-    .clk_i, .rst_ni, .valid_i(valid[In]), .data_i(in_whose), .data_o(end_whose));
+  assign end_tag = end_tag_flat;
 
   rc_delay_ram #(.Width(3 * (OriginWidth + RayDirBits)), .Stages(Latency - Moved)) u_moved (
-    .clk_i, .rst_ni, .valid_i(valid[Moved]), .data_i({o, d}), .data_o(end_moved));
+    .clk_i, .rst_ni, .valid_i(valid[Moved]), .data_i({o, d}), .data_o({end_o, end_d}));
 
   assign change_fires_o = valid[Latency];
-  assign change_o       = {end_whose, end_moved, recip, len};
+  assign change_o.ray   = end_tag.ray;
+  assign change_o.first = end_tag.first;
+  assign change_o.root  = end_tag.root;
+  assign change_o.o     = end_o;
+  assign change_o.d     = end_d;
+  assign change_o.recip = recip;
+  assign change_o.len   = len;
+
+  if (rc_pkg::HasHomes) begin : gen_tag_of_home
+    assign in_tag.kind   = in.kind;
+    assign in_tag.here   = in.here;
+    assign change_o.kind = end_tag.kind;
+    assign change_o.here = end_tag.here;
+  end
 
   logic unused;
   assign unused = ^{moved_o, moved_d, in};

@@ -197,6 +197,15 @@ public:
         Payload{}.fields(v, config);
         record(name, v);
     }
+    /// Adds a record of parts of a payload, each a plain vector: name and width, the highest part first.
+    /// Parts that the configuration does not have, of width 0, are left out. `bits` is the payload's width.
+    void groups(const char* name, const std::vector<std::pair<const char*, int>>& parts, int bits) {
+        StructVisitor v;
+        for (const auto& [part, width] : parts)
+            if (width > 0) v(part, 0u, width);
+        if (v.bits != bits) throw std::logic_error(std::string("the groups do not fill ") + name);
+        record(name, v);
+    }
     /// Adds the payloads of the links, in their order.
     template <std::size_t i = 0> void links() {
         if constexpr (i < link_count) {
@@ -239,6 +248,83 @@ int bits_on(Link link, const Config& config) {
     return bits;
 }
 
+// The groups of a context's state that a chip stores separately, in the order of ShadeState. `inner`,
+// `albedo` and `share` are groups of one field.
+using Names = std::vector<std::string_view>;
+const Names pixel_group{"x", "y"};
+const Names every_group{"next_event", "pending", "found",  "prim",       "t",     "u",
+                        "v",          "colour",  "weight", "depth",      "light", "in_cell",
+                        "across",     "path",    "holes",  "light_holes"};
+const Names point_group{"o", "normal", "view", "cosine"};
+const Names face_group{"n", "is_far", "is_lost"};
+const Names samples_group{"sample", "sum", "least", "most"};
+const Names waits_group{"waiting", "total"};
+const Names look_group{"diffuse", "highlight", "mirror", "shine", "ambient", "record", "is_round"};
+const Names bend_group{"transmit", "ratio", "schlick", "r0"};
+const Names self_group{"self", "is_inside"};
+
+/// Returns the width of those fields of a payload that have one of these names.
+template <class Payload> int width_of(const Config& config, std::vector<std::string_view> fields) {
+    check_names<Payload>(fields);
+    StructVisitor v(std::move(fields));
+    Payload{}.fields(v, config);
+    return v.bits;
+}
+
+/// Adds records that show a payload as a few parts.
+void group_records(Package& p, const Config& c) {
+    const int ray = c.ray_bits();
+    const auto node_request = [&](const std::string& name, Structure structure) {
+        const int node = node_bits(c, structure), bits = bits_on(node_unit(structure).req, c);
+        const int fields = bits - ray - node, o = 3 * c.origin_width();
+        p.groups((name + "_req").c_str(), {{"ray", ray}, {"ray_fields", fields}, {"node", node}}, bits);
+        p.groups((name + "_ray").c_str(), {{"o", o}, {"others", fields - o}}, fields);
+    };
+    p.say("Requests for nodes, whose fields depend on the structure, and the ray in them; list's request.");
+    node_request("decide", c.engine());
+    node_request("mesh", c.lower_engine());
+    const int primitive = bits_of<PrimData>(c), best = bits_of<Best>(c) - 1, tri = bits_of<TriReq>(c);
+    p.groups("tri_req_parts",
+             {{"ray", ray},
+              {"ray_fields", tri - ray - primitive - 1 - best},
+              {"prim_data", primitive},
+              {"found", 1},
+              {"best", best}},
+             tri);
+
+    p.say("A group of siblings on a ray's stack: all except the nearest, which was visited.");
+    const int siblings = c.node_width - 1;
+    const int group = c.t_bits() + c.addr_bits + c.group_bits() + siblings * (c.t_bits() + c.slot_bits());
+    p.groups("stack_group",
+             {{"below", c.t_bits()},
+              {"base", c.addr_bits},
+              {"count", c.group_bits()},
+              {"t_near", siblings * c.t_bits()},
+              {"slot", siblings * c.slot_bits()}},
+             group);
+
+    p.say("The groups of shade_state_t and of material_t.");
+    const auto width = [&](std::vector<std::string_view> fields) {
+        return width_of<ShadeState>(c, std::move(fields));
+    };
+    p.groups("shade_groups",
+             {{"pixel", width(pixel_group)},
+              {"every", width(every_group)},
+              {"point", width(point_group)},
+              {"inner", width({"inner"})},
+              {"face", width(face_group)},
+              {"albedo", width({"albedo"})},
+              {"share", width({"share"})},
+              {"samples", width(samples_group)},
+              {"waits", width(waits_group)},
+              {"look", width(look_group)},
+              {"bend", width(bend_group)},
+              {"self", width(self_group)}},
+             bits_of<ShadeState>(c));
+    const int look = width(look_group), bend = width(bend_group), self = width(self_group);
+    p.groups("material_groups", {{"look", look}, {"bend", bend}, {"self", self}}, look + bend + self);
+}
+
 /// Adds records for state inside units: subsets of the payloads above.
 void parts(Package& p, const Config& config) {
     p.say("Parts that list stores: the ray for tri, a node's leaves, the best hit.");
@@ -246,28 +332,35 @@ void parts(Package& p, const Config& config) {
                    {"axis", "neg", "size", "slope", "kind", "is_partial", "self", "is_inside", "o", "d"});
     p.part<Leaves>("leaf_group", {"base", "leaves", "t_near", "offset", "count"});
     p.part<TriReq>("best", {"best_num", "best_det", "best_prim"});
-    p.part<Closest>("kept_hit", {"cutout", "back", "prim", "t", "u", "v"});
+    p.part<Closest>("stored_hit", {"cutout", "back", "prim", "t", "u", "v"});
 
-    p.say(
-        "Parts that shade stores, and the groups of shade_state_t, in its order: "
-        "model/unit/shade/state.hpp.");
+    p.say("Fields of a ray that raygen and xform delay unchanged, and that trav stores for xform.");
+    p.part<Spawn>("spawn_tag",
+                  {"ray", "holes", "is_partial", "self", "is_inside", "home", "home_o", "home_d"});
+    p.part<XformReq>("xform_ray", {"kind", "home", "home_o", "home_d", "d"});
+    p.part<Change>("change_tag", {"ray", "kind", "first", "root", "here"});
+
+    p.say("Parts that shade stores: model/unit/shade/state.hpp.");
     Config shading = config;   // other chips do not use these records, but tools parse the units of shade
     shading.shading = true;
     p.part<Closest>("shade_hit", {"cutout", "found", "back", "prim", "t", "u", "v"}, shading);
     p.part<Placement>("shade_place", {"here", "texel_scale", "a", "b"}, shading);
-    p.part<ShadeState>("shade_pixel", {"x", "y"});
-    p.part<ShadeState>("shade_every",
-                       {"next_event", "pending", "found", "prim", "t", "u", "v", "colour", "weight", "depth",
-                        "light", "in_cell", "across", "path", "holes", "light_holes"});
-    p.part<ShadeState>("shade_point", {"o", "normal", "view", "cosine"});
-    p.part<ShadeState>("shade_face", {"n", "is_far", "is_lost", "albedo"});
+    p.part<Placement>("instance_map", {"here", "a", "b"}, shading);
+    p.part<Surface>("surface_material", {"schlick", "colour", "other", "ambient", "diffuse", "highlight",
+                                         "mirror", "transmit", "r0", "shine", "enter", "leave"});
+    p.part<TexRsp>("texel", {"hole", "colour"});
+    p.record<ShadeChanges>("shade_changes");
+    p.part<ShadeState>("shade_pixel", pixel_group);
+    p.part<ShadeState>("shade_every", every_group);
+    p.part<ShadeState>("shade_point", point_group);
+    p.part<ShadeState>("shade_face", face_group);
+    p.part<ShadeState>("shade_albedo", {"albedo"});
     p.part<ShadeState>("shade_share", {"share"});
-    p.part<ShadeState>("shade_samples", {"sample", "sum", "least", "most"});
-    p.part<ShadeState>("shade_waits", {"waiting", "total"});
-    p.part<ShadeState>("shade_look",
-                       {"diffuse", "highlight", "mirror", "shine", "ambient", "record", "is_round"});
-    p.part<ShadeState>("shade_bend", {"transmit", "ratio", "schlick", "r0"});
-    p.part<ShadeState>("shade_self", {"self", "is_inside"});
+    p.part<ShadeState>("shade_samples", samples_group);
+    p.part<ShadeState>("shade_waits", waits_group);
+    p.part<ShadeState>("shade_look", look_group);
+    p.part<ShadeState>("shade_bend", bend_group);
+    p.part<ShadeState>("shade_self", self_group);
     p.part<ShadeState>("material", {"diffuse", "highlight", "mirror", "shine", "ambient", "record",
                                     "is_round", "transmit", "ratio", "schlick", "r0", "self", "is_inside"});
 }
@@ -445,6 +538,20 @@ void tex_and_shade_stages(Package& p, const Config& c) {
     p.constant("ShadeLatency", c.shade_latency());
     p.constant("UnitStages", unit_stages);
     p.constant("PowerStages", power_stages);
+    // The stages of a pass in which these are ready: the vectors that become unit vectors, the unit vectors,
+    // their cosines, the base of a highlight's power, the power, the light's reflected part. With two levels
+    // also the new ray in the space of its mesh. StageWeight has the weight of the next ray.
+    constexpr int toward = 5, unit = toward + unit_stages, cosine = unit + 2, power = cosine + 2;
+    constexpr int phong = power + power_stages, lit = phong + 2;
+    if (lit + 2 != stages.pass) throw std::logic_error("a pass has other stages");
+    p.constant("StageToward", toward);
+    p.constant("StageWeight", 9);
+    p.constant("StageUnit", unit);
+    p.constant("StageCosine", cosine);
+    p.constant("StageHome", cosine + 4);
+    p.constant("StagePower", power);
+    p.constant("StagePhong", phong);
+    p.constant("StageLit", lit);
 }
 
 /// Adds widths and latencies that follow from the parameters.
@@ -562,6 +669,7 @@ std::string rc_package(const Config& config) {
     p.record<NodeRsp>("node_rsp");
     p.record<PrimRsp>("prim_rsp");
     p.record<Start>("start");
+    p.record<Shear>("shear");
     p.record<Children>("children");
     p.record<Done>("done");
     p.record<Pixel>("pixel");
@@ -569,6 +677,7 @@ std::string rc_package(const Config& config) {
     p.record<Waiting>("waiting");
     p.record<TexelPlace>("texel_place");
     parts(p, config);
+    group_records(p, config);
     p.say(
         "What lies in lines of memory, in their lowest bits: model/engine/*/node.hpp, model/core/lines.hpp, "
         "docs/machine/chip.md.");

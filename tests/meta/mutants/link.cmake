@@ -35,8 +35,8 @@ mutant(link_history_is_one_short FILE rtl/board/link/rc_link.sv TEST board "a pa
   OLD [[old_q          <= ahead >= 8'(256 - History);]]
   NEW [[old_q          <= ahead > 8'(256 - History);]])
 mutant(link_counts_a_repetition FILE rtl/board/link/rc_link.sv TEST board "lines that are read again*"
-  OLD [[assign keeps = state_q == StKeep && !replay_q;]]
-  NEW [[assign keeps = state_q == StKeep;]])
+  OLD [[assign stores_result = state_q == StStore && !replay_q;]]
+  NEW [[assign stores_result = state_q == StStore;]])
 mutant(link_waits_for_ever FILE rtl/board/link/rc_link.sv TEST board "after any garbage*"
   OLD [[if (is_quiet) state_q <= StMark0;]]
   NEW [[]])

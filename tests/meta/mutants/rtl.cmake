@@ -127,7 +127,7 @@ mutant(tags_not_cleared FILE rtl/mem/rc_tags.sv TEST unit [cache][lockstep]
 mutant(tags_fast_line_that_came_meanwhile_is_not_found FILE rtl/mem/rc_tags.sv TEST unit [cache][fast]
   OLD [[took_q && same_late ? same_took : same_entry;]]
   NEW [[took_q && same_late && 1'b0 ? same_took : same_entry;]])
-mutant(door_one_credit_more QUICK FILE rtl/cells/flow/rc_credit_counter.sv TEST unit [tri][lockstep]
+mutant(credit_counter_one_more QUICK FILE rtl/cells/flow/rc_credit_counter.sv TEST unit [tri][lockstep]
   OLD [[Full = CountW'(Credits);]]
   NEW [[Full = CountW'(Credits + 1);]])
 
@@ -150,8 +150,8 @@ mutant(host_swaps_the_words_of_a_counter FILE rtl/host/rc_host.sv TEST unit [hos
   OLD [[upper_word ? 32'(counter_i >> 32) : counter_i[31:0];]]
   NEW [[upper_word ? counter_i[31:0] : 32'(counter_i >> 32);]])
 mutant(host_starts_an_empty_frame FILE rtl/host/rc_host.sv TEST unit [host]
-  OLD [[&& wanted_q && some_q;]]
-  NEW [[&& wanted_q;]])
+  OLD [[&& start_pending_q && some_q;]]
+  NEW [[&& start_pending_q;]])
 mutant(host_writes_a_running_frame FILE rtl/host/rc_host.sv TEST unit [host]
   OLD [[write_q <= fires && we_q && is_idle && adr_q]]
   NEW [[write_q <= fires && we_q && adr_q]])
@@ -163,7 +163,7 @@ mutant(host_clears_a_cycle_late FILE rtl/host/rc_host.sv TEST unit [host]
 mutant(fast_hitdiv_loses_a_stage FILE rtl/unit/tri/rc_hitdiv.sv TEST unit [tri][fast]
   OLD [[rc_path_register #(.Width(TBits + 1)) u_t_last]]
   NEW [[rc_path_register #(.Width(TBits + 1), .Stages(0)) u_t_last]])
-mutant(tri_rests_a_cycle_less QUICK FILE rtl/unit/tri/rc_tri.sv TEST unit [tri][interval]
+mutant(tri_accepts_a_cycle_early QUICK FILE rtl/unit/tri/rc_tri.sv TEST unit [tri][interval]
   OLD [[|valid_q[Interval-2:0];]]
   NEW [[|valid_q[(Interval-1)/2:0];]])
 mutant(shared_products_wait_alike FILE rtl/fixed/multipliers/rc_mul_shared.sv TEST unit [tri][interval]

@@ -45,8 +45,8 @@ mutant(sdram_forgets_its_own_activation FILE rtl/board/memory/rc_sdram.sv TEST b
   OLD [[equal_q <= activate || open_row == sel_row;]]
   NEW [[equal_q <= open_row == sel_row;]])
 mutant(sdram_reads_a_row_that_is_not_known FILE rtl/board/memory/rc_sdram.sv TEST board "[sdram][lockstep]"
-  OLD [[assign cur_may   = cur_valid_q && !due_q && known_q && equal_q]]
-  NEW [[assign cur_may   = cur_valid_q && !due_q && (known_q || !cur_write_q) && equal_q]])
+  OLD [[assign cur_may   = cur_valid_q && !due_q && compared_q && equal_q]]
+  NEW [[assign cur_may   = cur_valid_q && !due_q && (compared_q || !cur_write_q) && equal_q]])
 
 # ---- The clients: priority, turns, order of words, masks.
 mutant(memory_host_is_never_due QUICK FILE rtl/board/memory/rc_board_memory.sv TEST board [memory]

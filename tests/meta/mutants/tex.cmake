@@ -403,8 +403,8 @@ mutant(tex_path_of_a_waiting_ray_lost FILE rtl/unit/shade/pass/rc_pass_end.sv TE
   OLD [[if (is_pop)       textured.path       = top_i.path;]]
   NEW [[if (is_pop && 1'b0) textured.path = top_i.path;]])
 mutant(tex_albedo_not_written FILE rtl/unit/shade/pass/rc_pass_end.sv TEST unit ${shade_rtl_case}
-  OLD [[surf_i, surf_i || is_texture, is_light};]]
-  NEW [[surf_i, surf_i, is_light};]])
+  OLD [[assign changes.albedo = surf_i || is_texture;]]
+  NEW [[assign changes.albedo = surf_i;]])
 mutant(tex_ambient_before_texture FILE rtl/unit/shade/light/rc_ambient.sv TEST unit ${shade_rtl_case}
   OLD [[: s0_surface_i.record != '0 ? '0 :]]
   NEW [[: s0_surface_i.record != '0 && 1'b0 ? '0 :]])
@@ -424,7 +424,7 @@ mutant(tex_list_count_goes_on_in_the_next_ray FILE rtl/unit/list/rc_list.sv TEST
   NEW [[u_has_passed (
       .clk_i, .rst_ni, .clear_i(1'b0),]])
 mutant(tex_list_passes_any_primitive FILE rtl/unit/list/rc_list.sv TEST unit ${light_list}
-  OLD [[s1_hits && s1_kept.cutout && passed != s1_holes;]]
+  OLD [[s1_hits && s1_hit_fields.cutout && passed != s1_holes;]]
   NEW [[s1_hits && passed != s1_holes;]])
 mutant(tex_list_loses_the_kind_of_a_hit FILE rtl/unit/list/rc_list.sv TEST unit ${light_list}
   OLD [[assign closest_o.cutout = closest_hit.cutout;]]
@@ -438,18 +438,18 @@ mutant(tex_tri_cutout_for_every_ray FILE rtl/unit/tri/rc_tri.sv TEST unit
   OLD [[rc_pkg::HasTextures && in_any && in.prim_kind]]
   NEW [[rc_pkg::HasTextures && in.prim_kind]])
 mutant(tex_pass_light_after_the_next FILE rtl/unit/shade/pass/rc_pass.sv TEST unit ${light_pass}
-  OLD [[= given.light - 7'd1;]]
-  NEW [[= given.light;]])
+  OLD [[= context_state.light - 7'd1;]]
+  NEW [[= context_state.light;]])
 mutant(tex_pass_light_holes_without_end FILE rtl/unit/shade/pass/rc_pass.sv TEST unit ${light_pass}
-  OLD [[texel[3*ColourBits]
-                     && given.light_holes != '1;]]
-  NEW [[texel[3*ColourBits];]])
+  OLD [[texel.hole
+                     && context_state.light_holes != '1;]]
+  NEW [[texel.hole;]])
 mutant(tex_pass_light_holes_kept FILE rtl/unit/shade/pass/rc_pass.sv TEST unit ${light_pass}
   OLD [[end else if (!met_cutout) begin]]
   NEW [[end else if (1'b0) begin]])
 mutant(tex_pass_cutout_at_level_0 FILE rtl/unit/shade/pass/rc_pass_end.sv TEST unit ${light_pass}
-  OLD [[request.path   = surf_i]]
-  NEW [[request.path   = cutout_i ? '0 : surf_i]])
+  OLD [[tex_req.path   = surf_i]]
+  NEW [[tex_req.path   = cutout_i ? '0 : surf_i]])
 mutant(tex_pass_cutout_with_the_scale_of_the_pass_before FILE rtl/unit/shade/pass/rc_pass.sv TEST unit
   "the RTL's pass is the model's with textures and instances*"
   OLD [[.enter_i(s0_transform || s0_cutout),]]
@@ -497,19 +497,19 @@ mutant(tex_hole_in_the_direction_of_a_bounce FILE rtl/unit/shade/pass/rc_pass.sv
 mutant(tex_hole_of_another_hit FILE rtl/unit/shade/pass/rc_pass.sv TEST unit
   "the RTL's pass is the model's with textures and instances*"
   OLD [[.enter_i(s0_texture), .leave_i(texture_at[Out]),
-      .data_i(texel[3*ColourBits])]]
+      .data_i(texel.hole)]]
   NEW [[.enter_i(s0_texture), .leave_i(tone_at[Out]),
-      .data_i(texel[3*ColourBits])]])
+      .data_i(texel.hole)]])
 mutant(tex_pixel_keeps_the_hit_behind_a_hole FILE rtl/unit/shade/pass/rc_pass_begin.sv TEST unit [shade][hole]
   OLD [[assign first = state_i.holes == '0;]]
   NEW [[assign first = 1'b1;]])
 mutant(tex_request_without_scale FILE ${pass_end} TEST unit
   "the RTL's pass is the model's with textures and instances*"
-  OLD [[assign request.scale = scale_i;]]
-  NEW [[assign request.scale = scale_i >> 1;]])
+  OLD [[assign tex_req.scale = scale_i;]]
+  NEW [[assign tex_req.scale = scale_i >> 1;]])
 mutant(tex_scale_of_the_instance_lost FILE rtl/unit/shade/rc_shade.sv TEST system
   "model and RTL agree on textured instances with holes"
-  OLD [[assign place_data.texel_scale = instance_came.texel_scale;]]
+  OLD [[assign place_data.texel_scale = instance_line.texel_scale;]]
   NEW [[assign place_data.texel_scale = '0;]])
 
 # ---- Planes and spheres: the model.
@@ -585,11 +585,11 @@ mutant(tex_octahedral_without_one FILE rtl/unit/shade/surface/rc_octahedral.sv T
   OLD [[+ Width'(1);]]
   NEW [[+ Width'(0);]])
 mutant(tex_octahedral_normal_inwards FILE rtl/unit/shade/pass/rc_pass.sv TEST unit ${shade_rtl_case}
-  OLD [[.data_i(known.is_inside),]]
-  NEW [[.data_i(known.is_inside && 1'b0),]])
+  OLD [[.data_i(s0_begin_state.is_inside),]]
+  NEW [[.data_i(s0_begin_state.is_inside && 1'b0),]])
 mutant(tex_sphere_without_its_place FILE ${pass_end} TEST unit ${shade_rtl_case}
-  OLD [[request.v = begin_state_i.is_round && !cutout_i ? round_v_i : v_i;]]
-  NEW [[request.v = begin_state_i.is_round && 1'b0 ? round_v_i : v_i;]])
+  OLD [[tex_req.v = begin_state_i.is_round && !cutout_i ? round_v_i : v_i;]]
+  NEW [[tex_req.v = begin_state_i.is_round && 1'b0 ? round_v_i : v_i;]])
 mutant(tex_far_path_never FILE rtl/unit/shade/pass/rc_pass.sv TEST unit ${shade_rtl_case}
   OLD [[end_far ? far_path : near_path;]]
   NEW [[end_far && 1'b0 ? far_path : near_path;]])
@@ -606,7 +606,7 @@ mutant(tex_list_reach_ends_at_a_hole FILE rtl/unit/list/rc_list.sv TEST torture 
   OLD [[.write_i(s1_closer), .write_ray_i(s1_ray), .write_t_i(s1_rsp_t)]]
   NEW [[.write_i(s1_hits), .write_ray_i(s1_ray), .write_t_i(s1_rsp_t)]])
 mutant(tex_light_passes_64_holes FILE rtl/unit/shade/pass/rc_pass.sv TEST torture ${torture_light}
-  OLD [[&& given.light_holes != '1;]]
+  OLD [[&& context_state.light_holes != '1;]]
   NEW [[;]])
 mutant(tex_light_keeps_the_holes_of_the_light_before FILE rtl/unit/shade/pass/rc_pass.sv TEST torture
   ${torture_light}
@@ -614,12 +614,12 @@ mutant(tex_light_keeps_the_holes_of_the_light_before FILE rtl/unit/shade/pass/rc
   NEW [[end else if (!met_cutout && 1'b0) begin]])
 mutant(tex_cutout_with_the_texture_of_the_surface FILE rtl/unit/shade/pass/rc_pass_begin.sv TEST torture
   ${torture_light}
-  OLD [[if (cutout_i) known_texture.record]]
-  NEW [[if (cutout_i && 1'b0) known_texture.record]])
+  OLD [[if (cutout_i) textured.record]]
+  NEW [[if (cutout_i && 1'b0) textured.record]])
 mutant(tex_cutout_with_the_scale_of_the_surface FILE rtl/unit/shade/rc_shade.sv TEST torture ${torture_light}
-  OLD [[.scale_fires_i(placed),]]
-  NEW [[.scale_fires_i(keeps),]])
+  OLD [[.scale_fires_i(instance_accepted),]]
+  NEW [[.scale_fires_i(stores_instance),]])
 mutant(tex_material_of_the_instance_keeps_the_texture FILE rtl/unit/shade/rc_shade.sv TEST torture
   ${torture_light}
-  OLD [[if (lent_q[came_ray]) plain[RecordAt]]
-  NEW [[if (lent_q[came_ray] && 1'b0) plain[RecordAt]])
+  OLD [[if (has_material) surface_found.record]]
+  NEW [[if (has_material && 1'b0) surface_found.record]])

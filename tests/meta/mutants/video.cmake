@@ -58,8 +58,8 @@ mutant(pixels_wait_for_a_buffer_that_is_free FILE ${pixel_writer} TEST board [pi
   OLD [[found == '0 && state_q == StIdle;]]
   NEW [[found == '0;]])
 mutant(pixels_buffer_closes_before_the_head_enters FILE ${pixel_writer} TEST board [pixels]
-  OLD [[(!looks || waits_q);]]
-  NEW [[(!looks || waits_q || head_valid);]])
+  OLD [[(!head_pending || waits_q);]]
+  NEW [[(!head_pending || waits_q || head_valid);]])
 mutant(pixels_of_the_block_before FILE ${pixel_writer} TEST board [pixels]
   OLD [[(begins ? 16'd0 : there_q[16*i +: 16])]]
   NEW [[(begins && 1'b0 ? 16'd0 : there_q[16*i +: 16])]])

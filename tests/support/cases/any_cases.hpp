@@ -20,7 +20,7 @@ inline Config any_format(const std::string& name, const std::string& kinds = "sp
     if (name == "wide") c.origin_bits = 10;
     if (name == "fine") c.origin_bits = 10, c.t_frac_bits = 6, c.bary_bits = 19;
     if (c.spheres)
-        // The door accepts a request in every cycle only if the queue is as long as the pipeline.
+        // The credit counter accepts a request in every cycle only if the queue is as long as the pipeline.
         c.tri_queue = 64;
     c.horizon = c.planes && c.origin_bits >= far_drop;
     c.name = name + " " + kinds;

@@ -1,6 +1,6 @@
 #pragma once
-// Tests a pipelined arithmetic cell without a door: valid and operands go in, the answer comes a fixed number
-// of cycles later.
+// Tests a pipelined arithmetic cell without a credit counter: valid and operands go in, the answer comes a
+// fixed number of cycles later.
 #include <catch2/catch.hpp>
 #include <deque>
 #include <optional>

@@ -62,7 +62,7 @@ template <class P> bool same(const Wire<P>& a, const Wire<P>& b, const Config& c
     return a.ready == b.ready && same(a.offer, b.offer, config);
 }
 
-// ---- Units that are a pure function behind a door.
+// ---- Units that are a pure function behind a credit counter.
 
 struct RaygenUnit {
     using Req = Slot;

@@ -5,7 +5,7 @@
 
 namespace rayclock::test {
 
-/// The links of raygen's model and RTL, if the chip shades: shade's rays and new pixels share one door.
+/// The links of raygen's model and RTL, if the chip shades: shade's rays and new pixels share one entrance.
 struct RaygenLinks {
     Wire<Spawn> spawn;
     Wire<Slot> slot;

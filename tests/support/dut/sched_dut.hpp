@@ -80,9 +80,10 @@ private:
     RtlLinks links_;
 };
 
-/// The links of dispatch's model and RTL: the requests for tiles (set by the test), the grants, and the tile.
+/// The links of dispatch's model and RTL: which pipelines have room for a tile (set by the test), the grants,
+/// and the tile.
 struct DispatchLinks {
-    std::uint32_t want = 0;
+    std::uint32_t tile_ready = 0;
     std::uint32_t fires = 0;
     Tile tile;
     std::optional<std::uint32_t> cause;
@@ -93,7 +94,7 @@ public:
     explicit DispatchModel(const Config& config, int = 1) : dispatch_(config) {}
     void start(const Frame& frame) { dispatch_.start(frame); }
     void eval() {
-        granted_ = dispatch_.grant(want);
+        granted_ = dispatch_.grant(tile_ready);
         fires = granted_ >= 0 ? 1u << granted_ : 0;
         tile = dispatch_.tile();
     }
@@ -108,19 +109,19 @@ class DispatchRtl : public DispatchLinks {
 public:
     explicit DispatchRtl(const Config& config, int seed = 1) : links_(config, "rc_dispatch", seed) {
         links_.drive_plain("start", 0);
-        links_.drive_plain("want", 0);
+        links_.drive_plain("tile_ready", 0);
         links_.reset();
     }
     void start(const Frame& frame) {
         links_.fix("frame", frame);
         links_.drive_plain("start", 1);
-        links_.drive_plain("want", want);
+        links_.drive_plain("tile_ready", tile_ready);
         links_.settle();
         links_.clock();
         links_.drive_plain("start", 0);
     }
     void eval() {
-        links_.drive_plain("want", want);
+        links_.drive_plain("tile_ready", tile_ready);
         links_.settle();
         fires = links_.plain("tile_fires");
         tile = links_.payload<Tile>("tile");

@@ -1,5 +1,6 @@
 #pragma once
-// Drivers for units: four kinds of traffic, and the rules that every unit behind a door obeys under each.
+// Drivers for units: four kinds of traffic, and the rules that every unit behind a credit counter obeys under
+// each.
 #include <deque>
 
 #include <catch2/catch.hpp>

@@ -276,7 +276,7 @@ TEST_CASE("skipping quiet cycles of a DRAM is the same as clocking them", "[dram
     std::uint64_t sent = 0, answered = 0, skips = 0;
     const auto same = [&] {
         if (clocked.ready() != skipped.ready() || clocked.valid() != skipped.valid())
-            FAIL("doors differ in cycle " << clocked.now());
+            FAIL("the answers differ in cycle " << clocked.now());
         if (clocked.valid() &&
             (clocked.answer().id != skipped.answer().id || clocked.answer().addr != skipped.answer().addr))
             FAIL("answers differ in cycle " << clocked.now());

@@ -25,20 +25,20 @@ Frame frame_of(std::uint32_t width, std::uint32_t height) {
 /// after the last one served. A served pipeline pauses its requests for a while.
 class DispatchWorld {
 public:
-    DispatchWorld(const Config& config, unsigned seed, int want_percent)
-        : config_(config), draw_(seed), want_percent_(want_percent) {}
+    DispatchWorld(const Config& config, unsigned seed, int ready_percent)
+        : config_(config), draw_(seed), ready_percent_(ready_percent) {}
 
     void start(const Frame& frame) { left_ = tiles_of(frame, config_.tile_bits); }
     bool finished() const { return left_.empty(); }
     void drive(DispatchLinks& dut) {
         for (int p = 0; p < config_.pipelines; ++p)
-            if (draw_.percent(want_percent_)) want_ |= 1u << p;
-        dut.want = want_;
+            if (draw_.percent(ready_percent_)) ready_ |= 1u << p;
+        dut.tile_ready = ready_;
     }
     void watch(const DispatchLinks& dut) {
         std::uint32_t fires = 0;
-        if (!left_.empty() && want_ != 0) {
-            while (!(want_ >> turn_ & 1)) turn_ = (turn_ + 1) % config_.pipelines;
+        if (!left_.empty() && ready_ != 0) {
+            while (!(ready_ >> turn_ & 1)) turn_ = (turn_ + 1) % config_.pipelines;
             fires = 1u << turn_;
         }
         REQUIRE(dut.fires == fires);
@@ -46,15 +46,15 @@ public:
         if (!fires) return;
         REQUIRE(same(dut.tile, left_.front(), config_));
         left_.pop_front();
-        want_ &= ~fires;
+        ready_ &= ~fires;
         turn_ = (turn_ + 1) % config_.pipelines;
     }
 
 private:
     Config config_;
     Draw draw_;
-    int want_percent_, turn_ = 0;
-    std::uint32_t want_ = 0;
+    int ready_percent_, turn_ = 0;
+    std::uint32_t ready_ = 0;
     std::deque<Tile> left_;
 };
 
@@ -62,9 +62,9 @@ constexpr std::pair<std::uint32_t, std::uint32_t> sizes[] = {{1, 1},  {8, 8},   
                                                              {1, 65}, {61, 47}, {64, 48}};
 
 /// Runs frames of all sizes, one after the other.
-template <class Dut> void give_tiles(const Config& config, unsigned seed, int want_percent) {
+template <class Dut> void give_tiles(const Config& config, unsigned seed, int ready_percent) {
     Dut dut{config, int(seed)};
-    DispatchWorld world{config, seed, want_percent};
+    DispatchWorld world{config, seed, ready_percent};
     const auto cycle = [&] {
         world.drive(dut);
         dut.eval();
@@ -89,9 +89,9 @@ template <class Dut> void give_tiles(const Config& config, unsigned seed, int wa
 TEMPLATE_TEST_CASE("dispatch gives tiles row by row to requesting pipelines, in round-robin order",
                    "[dispatch]", DispatchModel, DispatchRtl) {
     const int pipelines = GENERATE(1, 2, 8);
-    for (const int want_percent : {3, 30, 100})
+    for (const int ready_percent : {3, 30, 100})
         for (unsigned seed = 1; seed <= 4; ++seed)
-            give_tiles<TestType>(machine_of(pipelines, 3), seed, want_percent);
+            give_tiles<TestType>(machine_of(pipelines, 3), seed, ready_percent);
 }
 
 TEMPLATE_TEST_CASE("dispatch gives tiles of every size", "[dispatch][slow]", DispatchModel, DispatchRtl) {
@@ -103,7 +103,7 @@ TEMPLATE_TEST_CASE("dispatch gives tiles of every size", "[dispatch][slow]", Dis
 TEMPLATE_TEST_CASE("dispatch gives a tile in every cycle and skips no requesting pipeline", "[dispatch]",
                    DispatchModel, DispatchRtl) {
     TestType dut{machine_of(8, 3)};
-    dut.want = 0xff;
+    dut.tile_ready = 0xff;
     dut.start(frame_of(80, 8));
     for (std::uint32_t i = 0; i < 10; ++i) {
         dut.eval();
@@ -130,7 +130,7 @@ TEMPLATE_TEST_CASE("dispatch reaches the last tile of the largest picture", "[di
     const std::uint32_t width = GENERATE(16384u, 16u);
     const Frame frame = frame_of(width, width == 16u ? 16384u : 16u);
     dut.start(frame);
-    dut.want = 3;
+    dut.tile_ready = 3;
     std::uint32_t wrong = 0;
     for (const Tile& tile : tiles_of(frame, config.tile_bits)) {
         dut.eval();
@@ -156,7 +156,7 @@ TEST_CASE("model and RTL of dispatch give the same tile in every cycle", "[dispa
             for (int cycle = 0; cycle < 100; ++cycle) {
                 INFO(config.name << ", seed " << seed << ", " << frame.width << " x " << frame.height
                                  << ", cycle " << cycle);
-                rtl.want = model.want = std::uint32_t(draw.bits(config.pipelines));
+                rtl.tile_ready = model.tile_ready = std::uint32_t(draw.bits(config.pipelines));
                 model.eval();
                 rtl.eval();
                 REQUIRE(model.fires == rtl.fires);

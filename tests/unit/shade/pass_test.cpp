@@ -37,6 +37,18 @@ ShadeState seen(ShadeState s, const Config& c) {
     return s;
 }
 
+/// shade_place_t: the fields of an instance that a pass uses.
+struct Place {
+    Placement placement;
+    template <class V> void fields(V& v, const Config& c) {
+        placement.here = placement.home();
+        v("here", placement.here, c.addr_bits);
+        if (c.has_textures()) v("texel_scale", placement.texel_scale, level_bits);
+        v("a", placement.a, c.map_bits(), 9);
+        v("b", placement.b, c.coord_bits + c.map_frac(), 3);
+    }
+};
+
 void drive(RtlModule& rtl, const PassIn& in, const Config& c) {
     put(rtl, "ray", in.ray);
     set_data(rtl.port("state"), seen(in.state, c), c);
@@ -46,37 +58,19 @@ void drive(RtlModule& rtl, const PassIn& in, const Config& c) {
     put_vector(rtl, "o", in.o, c.origin_width());
     put_vector(rtl, "d", in.d, c.dir_bits);
     set_data(rtl.port("surface"), in.surface, c);
-    if (c.has_textures()) {
-        Words words(2, 0);
-        PackVisitor pack{words, 3 * (share_bits + 1) + 1};
-        pack("", in.hole, 1);
-        pack("", in.texel, share_bits + 1, 3);
-        copy_words(rtl.port("texel"), words);
-    }
-    if (!c.has_homes()) return;
-    const int map_bits = 9 * c.map_bits() + 3 * (c.coord_bits + c.map_frac()),
-              bits = c.addr_bits + (c.has_textures() ? level_bits : 0) + map_bits;
-    Words words(std::size_t(bits + 31) / 32, 0);
-    PackVisitor pack{words, bits};
-    pack("here", in.placement.home(), c.addr_bits);
-    if (c.has_textures()) pack("texel_scale", in.placement.texel_scale, level_bits);
-    pack("a", in.placement.a, c.map_bits(), 9);
-    pack("b", in.placement.b, c.coord_bits + c.map_frac(), 3);
-    copy_words(rtl.port("place"), words);
+    if (c.has_textures()) set_data(rtl.port("texel"), TexRsp{0, in.hole, in.texel}, c);
+    if (c.has_homes()) set_data(rtl.port("place"), Place{in.placement}, c);
 }
-
-/// The groups of the state that rc_contexts writes when a pass ends, as bits of the port `changes`.
-enum Group { share_group = 1, albedo_group = 2, face_group = 4, inner_group = 8, point_group = 16 };
 
 /// Ignores groups that have not changed, because they are not written. The material was written when the pass
 /// began (judge_look).
-ShadeState written(ShadeState s, std::uint32_t changes, const ShadeState& kept, const ShadeState& wanted) {
-    if (!(changes & point_group))
-        s.o = kept.o, s.normal = kept.normal, s.view = kept.view, s.cosine = kept.cosine;
-    if (!(changes & inner_group)) s.inner = kept.inner;
-    if (!(changes & face_group)) s.n = kept.n, s.is_far = kept.is_far, s.is_lost = kept.is_lost;
-    if (!(changes & albedo_group)) s.albedo = kept.albedo;
-    if (!(changes & share_group)) s.share = kept.share;
+ShadeState written(ShadeState s, const ShadeChanges& changes, const ShadeState& kept,
+                   const ShadeState& wanted) {
+    if (!changes.point) s.o = kept.o, s.normal = kept.normal, s.view = kept.view, s.cosine = kept.cosine;
+    if (!changes.inner) s.inner = kept.inner;
+    if (!changes.face) s.n = kept.n, s.is_far = kept.is_far, s.is_lost = kept.is_lost;
+    if (!changes.albedo) s.albedo = kept.albedo;
+    if (!changes.share) s.share = kept.share;
     s.diffuse = wanted.diffuse, s.highlight = wanted.highlight, s.mirror = wanted.mirror,
     s.shine = wanted.shine;
     s.transmit = wanted.transmit, s.ratio = wanted.ratio, s.schlick = wanted.schlick, s.r0 = wanted.r0;
@@ -97,8 +91,9 @@ void judge(const RtlModule& rtl, const PassIn& in, const Frame& frame, const Con
     const PassOut out = pass(in, frame, c);
     REQUIRE(got(rtl, "end_ray")[0] == in.ray);
     REQUIRE(got(rtl, "leave")[0] == std::uint32_t(out.leave));
-    const ShadeState state = written(get_data<ShadeState>(rtl.port("end_state"), c), got(rtl, "changes")[0],
-                                     seen(in.state, c), out.state);
+    const ShadeState state =
+        written(get_data<ShadeState>(rtl.port("end_state"), c),
+                get_data<ShadeChanges>(rtl.port("changes"), c), seen(in.state, c), out.state);
     CAPTURE(state.next_event, out.state.next_event, state.colour, out.state.colour, state.o, out.state.o,
             state.n, out.state.n, state.normal, out.state.normal);
     CAPTURE(state.view, out.state.view, state.cosine, out.state.cosine, state.is_far, out.state.is_far,

@@ -13,12 +13,13 @@ module rc_bounce #(
   localparam int unsigned UnitBits  = rc_pkg::UnitBits,
   localparam int unsigned RatioBits = rc_pkg::RatioBits,
   localparam int unsigned M         = rc_pkg::DirBits,
-  localparam int unsigned Every = rc_pkg::ShadeInterval
+  localparam int unsigned Unit      = rc_pkg::StageUnit,   // stage with the unit vectors
+  localparam int unsigned Every     = rc_pkg::ShadeInterval
 ) (
   input  logic                  clk_i,
   input  logic                  rst_ni,
-  input  logic [14:0]           valid_i,
-  input  logic [14*Every-1:0]   phase_i,       // the cycle of each stage
+  input  logic [Unit+1:0]       valid_i,
+  input  logic [(Unit+1)*Every-1:0] phase_i,     // the cycle of each stage
   // Pass
   input  logic                  s0_refract_i,  // refract, not reflect
   input  rc_pkg::shade_state_t  s0_state_i,
@@ -31,7 +32,7 @@ module rc_bounce #(
 );
   localparam int unsigned ProductW = 2 * ValueBits;   // product of two values
   localparam int unsigned ShareW   = ValueBits + 1;                                   // up to 2
-  // As in rc_snell, signed.
+  // AlongW: width of rc_snell's s13_along_o, signed.
   localparam int unsigned AlongW   = RatioBits - rc_pkg::IndexFrac + ValueBits + 2;
   localparam int unsigned NormalW  = AlongW + AxisBits;   // along * normal
   localparam int unsigned ViewW    = RatioBits + 1 + AxisBits;   // ratio * view
@@ -61,7 +62,7 @@ module rc_bounce #(
 
   if (rc_pkg::Refraction) begin : gen_refraction
     rc_snell u_snell (
-      .clk_i, .rst_ni, .valid_i(valid_i[13:0]), .phase_i(phase_i[2*Every-1:0]), .s0_refract_i,
+      .clk_i, .rst_ni, .valid_i(valid_i[Unit:0]), .phase_i(phase_i[2*Every-1:0]), .s0_refract_i,
       .s0_cosine_i(s0_cosine),
       .s0_ratio_i(s0_ratio), .s13_along_o(s13_along), .s13_ratio_o(s13_ratio), .s13_total_o);
 
@@ -73,8 +74,8 @@ module rc_bounce #(
   end else begin : gen_reflection
     logic [ValueBits-1:0] s13_cosine;
     logic [ValueBits-1:0] s7_mirror;
-    rc_stage_delay #(.Width(ValueBits), .Stages(13)) u_cosine (
-      .clk_i, .rst_ni, .enter_i(valid_i[0]), .leave_i(valid_i[13]), .data_i(s0_cosine),
+    rc_stage_delay #(.Width(ValueBits), .Stages(Unit)) u_cosine (
+      .clk_i, .rst_ni, .enter_i(valid_i[0]), .leave_i(valid_i[Unit]), .data_i(s0_cosine),
       .data_o(s13_cosine));
     rc_shift_register #(.Width(ValueBits), .Stages(7)) u_mirror (
       .clk_i, .enable_i(valid_i[6:0]), .data_i(s0_mirror), .data_o(s7_mirror));
@@ -86,7 +87,7 @@ module rc_bounce #(
 
     logic unused;
     assign unused = ^{s0_refract_i, s0_ratio, s0_transmit, s0_r0, s0_schlick, s0_total,
-                      valid_i[12:9]};
+                      valid_i[Unit-1:rc_pkg::StageWeight]};
   end
 
   // s15: the direction, S1.16; no component is above 1 in magnitude.
@@ -94,11 +95,11 @@ module rc_bounce #(
   logic [3*ViewW-1:0]   s13_ratio_view;
 
   rc_mul_held #(.AW(AlongW), .BW(AxisBits), .Products(3)) u_normal (
-    .clk_i, .phase_i(phase_i[13*Every +: Every]), .a_i({3{s13_along}}), .b_i(s13_normal_i),
+    .clk_i, .phase_i(phase_i[Unit*Every +: Every]), .a_i({3{s13_along}}), .b_i(s13_normal_i),
     .p_o(s13_along_normal));
 
   rc_mul_held #(.AW(RatioBits + 1), .BW(AxisBits), .Products(3)) u_view (
-    .clk_i, .phase_i(phase_i[13*Every +: Every]), .a_i({3{1'b0, s13_ratio}}), .b_i(s13_view_i),
+    .clk_i, .phase_i(phase_i[Unit*Every +: Every]), .a_i({3{1'b0, s13_ratio}}), .b_i(s13_view_i),
     .p_o(s13_ratio_view));
 
   for (genvar k = 0; k < 3; k++) begin : gen_axis
@@ -115,11 +116,11 @@ module rc_bounce #(
       .clk_i, .data_i(s14_sum[SumW-1:UnitBits]), .data_o(s14_unit));
 
     always_ff @(posedge clk_i) begin
-      if (valid_i[13]) begin
+      if (valid_i[Unit]) begin
         s14_normal_q <= s13_along_normal[k*NormalW +: NormalW];
         s14_view_q   <= s13_ratio_view[k*ViewW +: ViewW];
       end
-      if (valid_i[14])
+      if (valid_i[Unit+1])
         s15_unit_q <= s14_unit > One ? AxisBits'(One)
                     : s14_unit < -One ? -AxisBits'(One) : s14_unit[AxisBits-1:0];
     end

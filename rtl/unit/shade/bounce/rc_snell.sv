@@ -9,14 +9,16 @@ module rc_snell #(
   localparam int unsigned UnitBits  = rc_pkg::UnitBits,
   localparam int unsigned RatioBits = rc_pkg::RatioBits,
   localparam int unsigned IndexFrac = rc_pkg::IndexFrac,
+  localparam int unsigned Unit      = rc_pkg::StageUnit,   // stage with the unit vectors
   localparam int unsigned Every     = rc_pkg::ShadeInterval,
-  localparam int unsigned LongW     = RatioBits + ValueBits,     // ratio * cosine
-  // The same with 16 fraction bits, signed.
+  // LongW: width of ratio * cosine.
+  localparam int unsigned LongW     = RatioBits + ValueBits,
+  // AlongW: width of this product rounded to 16 fraction bits, signed.
   localparam int unsigned AlongW    = LongW - IndexFrac + 2
 ) (
   input  logic                 clk_i,
   input  logic                 rst_ni,
-  input  logic [13:0]          valid_i,
+  input  logic [Unit:0]        valid_i,
   input  logic [2*Every-1:0]   phase_i,       // the cycle of each stage
   input  logic                 s0_refract_i,
   input  logic [ValueBits-1:0] s0_cosine_i,
@@ -29,9 +31,9 @@ module rc_snell #(
   localparam int unsigned BentW   = 2 * RatioBits + SquareW;   // ratio^2 * square
   localparam int unsigned InsideW = BentW - 2 * IndexFrac + 2; // 1 - ratio^2 * square, signed
   localparam int unsigned RootW   = UnitBits + 2;              // a root
-  localparam logic [SquareW-1:0]   One  = SquareW'(1) << (2 *  UnitBits);
+  localparam logic [SquareW-1:0]   One  = SquareW'(1) << (2 * UnitBits);
   localparam logic [LongW-1:0]     Half = LongW'(1) << (IndexFrac - 1);
-  // The ratio 1 of a reflection.
+  // Unbent: the ratio of refractive indices for a reflection, which is 1.
   localparam logic [RatioBits-1:0] Unbent = RatioBits'(1) << IndexFrac;
 
   // s3: 2^32 times the squared cosine inside, rounded up. If negative, the reflection is total.
@@ -78,7 +80,7 @@ module rc_snell #(
   logic [RootW-1:0] s12_root;
   logic             inexact;
 
-  rc_sqrt #(.Stages(9), .Held(Every)) u_sqrt (
+  rc_sqrt #(.Stages(Unit - 4), .Held(Every)) u_sqrt (
     .clk_i, .valid_i(valid_i[3] && s3_refract_q),
     .square_i({{(2*RootW-SquareW){1'b0}}, s3_square_q}),
     .root_o(s12_root), .inexact_o(inexact));
@@ -98,7 +100,7 @@ module rc_snell #(
       s1_long_q <= s0_refract_i ? s0_long : {{(LongW-ValueBits-1){1'b0}}, s0_cosine_i, 1'b0};
     if (valid_i[1])
       s2_long_q <= s1_refract ? {1'b0, s1_rounded[LongW-1:IndexFrac]} : s1_long_q[AlongW-2:0];
-    if (valid_i[12]) begin
+    if (valid_i[Unit-1]) begin
       s13_along_o <= $signed({1'b0, s12_long})
                    - (s12_refract ? $signed({{(AlongW-RootW){1'b0}}, s12_root})
                                   : $signed(AlongW'(0)));
@@ -106,15 +108,15 @@ module rc_snell #(
     end
   end
 
-  rc_stage_delay #(.Width(AlongW - 1), .Stages(10)) u_long (
-    .clk_i, .rst_ni, .enter_i(valid_i[2]), .leave_i(valid_i[12]), .data_i(s2_long_q),
+  rc_stage_delay #(.Width(AlongW - 1), .Stages(Unit - 3)) u_long (
+    .clk_i, .rst_ni, .enter_i(valid_i[2]), .leave_i(valid_i[Unit-1]), .data_i(s2_long_q),
     .data_o(s12_long));
-  rc_stage_delay #(.Width(2), .Stages(9)) u_flags (
-    .clk_i, .rst_ni, .enter_i(valid_i[3]), .leave_i(valid_i[12]),
+  rc_stage_delay #(.Width(2), .Stages(Unit - 4)) u_flags (
+    .clk_i, .rst_ni, .enter_i(valid_i[3]), .leave_i(valid_i[Unit-1]),
     .data_i({s3_refract_q, s3_total_q}),
     .data_o({s12_refract, s12_total}));
-  rc_stage_delay #(.Width(RatioBits), .Stages(13)) u_ratio (
-    .clk_i, .rst_ni, .enter_i(valid_i[0]), .leave_i(valid_i[13]),
+  rc_stage_delay #(.Width(RatioBits), .Stages(Unit)) u_ratio (
+    .clk_i, .rst_ni, .enter_i(valid_i[0]), .leave_i(valid_i[Unit]),
     .data_i(s0_refract_i ? s0_ratio_i : Unbent), .data_o(s13_ratio_o));
 
   logic unused;

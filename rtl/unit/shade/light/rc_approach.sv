@@ -166,9 +166,9 @@ module rc_approach #(
       .clk_i, .rst_ni, .enter_i(done_q), .leave_i(valid_i[Steps]),
       .data_i({made_enters_q, made_entry_q}), .data_o(waited));
 
-    if (rc_pkg::PassCut == 0) begin : gen_keep
+    if (rc_pkg::PassCut == 0) begin : gen_register
       always_ff @(posedge clk_i) if (valid_i[Steps]) {s28_enters_o, s28_entry_o} <= waited;
-    end else begin : gen_kept   // the next result stays long before s27 accepts it
+    end else begin : gen_no_register   // the next result stays long before s27 accepts it
       assign {s28_enters_o, s28_entry_o} = waited;
     end
   end

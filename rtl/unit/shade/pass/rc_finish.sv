@@ -47,7 +47,8 @@ module rc_finish #(
   always_ff @(posedge clk_i)
     if (valid_i[0]) s1_share_q <= s0_some ? frame_i.first_share : frame_i.share;
 
-  localparam int unsigned ProductW = SumBits + ValueBits;   // a product
+  localparam int unsigned UnitBits = rc_pkg::UnitBits;      // fraction bits of a value
+  localparam int unsigned ProductW = SumBits + ValueBits;   // sum * share of a sample, U8.32
   logic [3*SumBits-1:0]  s1_sum;
   logic [3*ProductW-1:0] s1_product;
 
@@ -59,8 +60,8 @@ module rc_finish #(
     logic [ValueBits-1:0] colour, least, most;
     logic [ValueBits-1:0] s1_least_q, s1_most_q, s2_least_q, s2_most_q, s3_least_q, s3_most_q;
     logic [ValueBits-1:0] s1_apart;
-    logic        s2_same_q;
-    logic [ProductW-1:0] s2_mean_q, s2_rounded;
+    logic                 s2_same_q;
+    logic [ProductW-1:0]  s2_mean_q, s2_rounded;
     logic [ValueBits-1:0] s3_mean_q;
 
     assign colour   = s0_colour_i[k*ValueBits +: ValueBits];
@@ -87,8 +88,8 @@ module rc_finish #(
         s3_sum_q   <= s2_sum_q;
         s3_least_q <= s2_least_q;
         s3_most_q  <= s2_most_q;
-        s3_mean_q  <= s2_rounded[ProductW-1:32] != '0 ? rc_pkg::ValueOne
-                    : {1'b0, s2_rounded[31:16]};
+        s3_mean_q  <= s2_rounded[ProductW-1:2*UnitBits] != '0 ? rc_pkg::ValueOne
+                    : {1'b0, s2_rounded[UnitBits +: UnitBits]};
       end
       if (valid_i[3]) s4_colour_o[k*ValueBits +: ValueBits] <= s3_mean_q;
     end
@@ -99,7 +100,7 @@ module rc_finish #(
     assign s3_most[k*ValueBits +: ValueBits]    = s3_most_q;
 
     logic unused;
-    assign unused = ^s2_rounded[15:0];
+    assign unused = ^s2_rounded;
   end
 
   // s4: if the first four samples agree, no more follow.

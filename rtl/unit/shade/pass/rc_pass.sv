@@ -38,8 +38,7 @@ module rc_pass #(
   input  rc_pkg::waiting_t         top_i,
   // With two levels: the instance that was hit; line 0 if the ray is the same in it.
   input  rc_pkg::shade_place_t     place_i,
-  // With textures: the answer of tex, a hole or a colour
-  input  logic [3*ColourBits:0]    texel_i,
+  input  rc_pkg::texel_t           texel_i,    // with textures: the answer of tex
   // To rc_contexts: the hit surface's material at the start of a pass, and the state at its end
   output logic                        material_valid_o,
   output logic [RayBits-1:0]          material_ray_o,
@@ -47,54 +46,69 @@ module rc_pass #(
   output logic                        end_valid_o,
   output logic [RayBits-1:0]          end_ray_o,
   output rc_pkg::shade_state_t        end_state_o,
-  output logic [4:0]                  changes_o, // groups of end_state_o
-  output logic                        push_o,  // a ray must wait
-  output logic [rc_pkg::WaitingW-1:0] pushed_o,
+  output rc_pkg::shade_changes_t      changes_o,   // groups of end_state_o
+  output logic                        push_o,      // a ray must wait
+  output rc_pkg::waiting_t            pushed_o,
   // Outputs of the pass
-  output logic [1:0]                leave_o,  // rc_pkg::leave_e
-  output logic [rc_pkg::SpawnW-1:0] spawn_o,
-  output logic [rc_pkg::PixelW-1:0] pixel_o,
-  output logic [rc_pkg::TexReqW-1:0] tex_req_o
+  output logic [1:0]                  leave_o,     // rc_pkg::leave_e
+  output rc_pkg::spawn_t              spawn_o,
+  output rc_pkg::pixel_t              pixel_o,
+  output rc_pkg::tex_req_t            tex_req_o
 );
   localparam int unsigned Stages     = rc_pkg::ShadeStages;
   localparam int unsigned Every      = rc_pkg::ShadeInterval;
   localparam int unsigned N          = rc_pkg::CoordBits;
   localparam int unsigned NormalBits = rc_pkg::NormalBits;
   localparam int unsigned ToLightW   = rc_pkg::LightBits + rc_pkg::OriginBits + 1;
-  // Or a sum of corner normals.
+  // LongW: width of a vector to a light, or of a sum of corner normals.
   localparam int unsigned LongW      = ToLightW > NormalBits ? ToLightW : NormalBits;
+  // TurnW: width of a normal that a map has turned to the scene's space; 0 with one level.
   localparam int unsigned TurnW      = rc_pkg::HasHomes ? rc_pkg::MapBits + AxisBits + 2 : 0;
+  // UnitW: width of a vector that rc_angles makes a unit vector.
   localparam int unsigned UnitW      = LongW > TurnW ? LongW : TurnW;
 
   // The inputs of the end are ready before it. The end is computed in registers on the way.
   // rc_pass_end latches it at the end of the last stage; then the next inputs may come.
   localparam bit          Cut   = rc_pkg::PassCut != 0;
   localparam int unsigned Out   = rc_pkg::PassOutStage;
-  localparam int unsigned Side  = rc_pkg::HasHomes ? 19 : 15;   // stage in which n . d begins
+
+  // Stages in which a value is ready.
+  localparam int unsigned Path    = 3;   // the length of the path, of a hit nearby
+  localparam int unsigned Mean    = 4;   // the colour of a pixel with several samples
+  localparam int unsigned Toward  = rc_pkg::StageToward;   // the point, and the vector to a light
+  localparam int unsigned Albedo  = Toward + 1;
+  localparam int unsigned Ambient = Toward + 2;
+  localparam int unsigned FarPath = Toward + 3;   // the length of the path, of a hit far away
+  localparam int unsigned Weight  = rc_pkg::StageWeight;   // of the next ray
+  localparam int unsigned Unit    = rc_pkg::StageUnit;     // the unit vectors
+  localparam int unsigned Cosine  = rc_pkg::StageCosine;   // and the direction of the next ray
+  localparam int unsigned Home    = rc_pkg::StageHome;     // with two levels: this ray in its mesh
+  localparam int unsigned Side  = rc_pkg::HasHomes ? Home : Cosine;   // stage in which n . d begins
 
   // ---- Input: held if a pass stays for more than one cycle.
   logic                       valid;
   logic [RayBits-1:0]         ray;
-  rc_pkg::shade_state_t given, state;   // given: from rc_contexts. state: for the event of the pass
+  rc_pkg::shade_state_t       context_state;   // as rc_contexts stores it
+  rc_pkg::shade_state_t       state;           // for the event of the pass
   rc_pkg::shade_hit_t         hit;
   logic [3*OriginWidth-1:0]   o;
   logic [3*M-1:0]             d;
   rc_pkg::surface_t           surface;
-  rc_pkg::waiting_t           top_came;
-  rc_pkg::shade_place_t place;
-  logic [3*ColourBits:0]      texel;
+  rc_pkg::waiting_t           s0_top;
+  rc_pkg::shade_place_t       place;
+  rc_pkg::texel_t             texel;
 
   if (Every == 1) begin : gen_as_it_comes
-    assign valid    = valid_i;
-    assign ray      = ray_i;
-    assign given    = state_i;
-    assign hit      = hit_i;
-    assign o        = o_i;
-    assign d        = d_i;
-    assign surface  = surface_i;
-    assign top_came = top_i;
-    assign place    = place_i;
-    assign texel    = texel_i;
+    assign valid         = valid_i;
+    assign ray           = ray_i;
+    assign context_state = state_i;
+    assign hit           = hit_i;
+    assign o             = o_i;
+    assign d             = d_i;
+    assign surface       = surface_i;
+    assign s0_top        = top_i;
+    assign place         = place_i;
+    assign texel         = texel_i;
   end else begin : gen_held
     localparam int unsigned RayW = RayBits + rc_pkg::ShadeHitW + 3 * OriginWidth + 3 * M
                                  + rc_pkg::ShadePlaceW;
@@ -106,13 +120,13 @@ module rc_pass #(
       .data_o({ray, hit, o, d, place}));
 
     rc_shift_register #(.Width(rc_pkg::ShadeStateW + rc_pkg::SurfaceW), .Stages(1)) u_state (
-      .clk_i, .enable_i(valid_i), .data_i({state_i, surface_i}), .data_o({given, surface}));
+      .clk_i, .enable_i(valid_i), .data_i({state_i, surface_i}), .data_o({context_state, surface}));
 
-    rc_shift_register #(.Width(3 * ColourBits + 1), .Stages(1)) u_texel (
+    rc_shift_register #(.Width(rc_pkg::TexelW), .Stages(1)) u_texel (
       .clk_i, .enable_i(valid_i), .data_i(texel_i), .data_o(texel));
 
-    rc_shift_register #(.Width(rc_pkg::WaitingW), .Stages(1)) u_top_came (
-      .clk_i, .enable_i(valid), .data_i(top_i), .data_o(top_came));
+    rc_shift_register #(.Width(rc_pkg::WaitingW), .Stages(1)) u_s0_top (
+      .clk_i, .enable_i(valid), .data_i(top_i), .data_o(s0_top));
   end
 
   // ---- s0: with textures, a shadow ray may have met a cut-out. Then the pass requests the texture
@@ -123,23 +137,23 @@ module rc_pass #(
   if (rc_pkg::HasTextures) begin : gen_cutout
     logic repeats;
 
-    assign met_cutout = given.pending == rc_pkg::PendingAnswer && hit.found && hit.cutout;
-    assign repeats    = given.pending == rc_pkg::PendingTexture && texel[3*ColourBits]
-                     && given.light_holes != '1;
+    assign met_cutout = context_state.pending == rc_pkg::PendingAnswer && hit.found && hit.cutout;
+    assign repeats    = context_state.pending == rc_pkg::PendingTexture && texel.hole
+                     && context_state.light_holes != '1;
 
     always_comb begin
-      state = given;
+      state = context_state;
       if (repeats) begin
         state.next_event  = rc_pkg::EventLight;
-        state.light       = given.light - 7'd1;
-        state.light_holes = given.light_holes + 1'b1;
+        state.light       = context_state.light - 7'd1;
+        state.light_holes = context_state.light_holes + 1'b1;
       end else if (!met_cutout) begin
         state.light_holes = '0;
       end
     end
   end else begin : gen_no_cutout
     assign met_cutout = 1'b0;
-    assign state      = given;
+    assign state      = context_state;
   end
 
   // Event of the pass.
@@ -150,7 +164,7 @@ module rc_pass #(
   logic [TBits-1:0]            t;
   logic [UvBits-1:0]           u, v;
   logic [3*ValueBits-1:0]      colour;
-  rc_pkg::shade_state_t known;
+  rc_pkg::shade_state_t        s0_begin_state;   // after rc_pass_begin
   logic                        has_material;
 
   assign back = hit.back;
@@ -162,10 +176,9 @@ module rc_pass #(
     .valid_i(ends[0]), .cutout_i(met_cutout), .state_i(state), .hit_i(hit), .surface_i(surface),
     .surf_o(s0_surf), .light_o(s0_light), .bounce_o(s0_bounce), .refract_o(s0_refract),
     .transform_o(s0_transform), .texture_o(s0_texture), .end_o(s0_end), .colour_o(colour),
-    .has_material_o(has_material),
-    .material_o, .known_o(known));
+    .has_material_o(has_material), .material_o, .begin_state_o(s0_begin_state));
 
-  // immediately: inputs of several cycles stay stable
+  // The material leaves at once: inputs of several cycles stay stable.
   assign material_valid_o = valid && has_material;
   assign material_ray_o   = ray;
   assign s0_cutout        = ends[0] && met_cutout;
@@ -231,20 +244,21 @@ module rc_pass #(
   assign tone_at = surf_at | texture_at;
   assign sends_at = light_at | bounce_at | texture_at;
 
-  // ---- State known at the start of the pass: delayed to the end.
+  // ---- The state at the start of the pass, delayed to the end.
   logic                   goes_on, mirrors, transmits;  // goes_on: one cycle before the first stage
   logic [RayBits-1:0]     end_ray;                       // ends, with fewer loads
-  rc_pkg::shade_state_t begin_state;
+  rc_pkg::shade_state_t   begin_state;
   rc_pkg::waiting_t       top;
 
   assign goes_on = Every > 2 ? phase[Every < 2 ? 0 : Every-2] : ends[0];
 
-  rc_pass_state u_known (
-    .clk_i, .rst_ni, .enter_i(goes_on), .leave_i(ends[Out]), .ray_i(ray), .known_i(known),
-    .ray_o(end_ray), .begin_state_o(begin_state), .mirrors_o(mirrors), .transmits_o(transmits));
+  rc_pass_state u_begin_state (
+    .clk_i, .rst_ni, .enter_i(goes_on), .leave_i(ends[Out]), .ray_i(ray),
+    .s0_state_i(s0_begin_state), .ray_o(end_ray), .begin_state_o(begin_state),
+    .mirrors_o(mirrors), .transmits_o(transmits));
 
   rc_stage_delay #(.Width(rc_pkg::WaitingW), .Stages(Stages), .Parts(rc_pkg::PassParts)) u_top (
-    .clk_i, .rst_ni, .enter_i(goes_on), .leave_i(ends[Out]), .data_i(top_came),
+    .clk_i, .rst_ni, .enter_i(goes_on), .leave_i(ends[Out]), .data_i(s0_top),
     .data_o(top));
 
   // Vectors that are needed on the way.
@@ -255,9 +269,9 @@ module rc_pass #(
   // through this pass too; it does not change.
   localparam bit Round = rc_pkg::HasTextures && rc_pkg::Spheres;
 
-  rc_stage_delay #(.Width(6 * AxisBits), .Stages(13)) u_vectors (
+  rc_stage_delay #(.Width(6 * AxisBits), .Stages(Unit)) u_vectors (
     .clk_i, .rst_ni, .enter_i(s0_light || s0_bounce || (Round && s0_transform)),
-    .leave_i(light_at[13] || bounce_at[13] || (Round && transform_at[13])),
+    .leave_i(light_at[Unit] || bounce_at[Unit] || (Round && transform_at[Unit])),
     .data_i({state.normal, state.view}), .data_o({s13_normal, s13_view}));
 
   rc_stage_delay #(.Width(3 * NormalBits), .Stages(Side)) u_n (
@@ -289,28 +303,32 @@ module rc_pass #(
   end
 
   rc_surf #(.UnitW(UnitW)) u_surf (
-    .clk_i, .valid_i(surf_at[6:0]), .phase_i(phase[7*Every-1:0]), .s0_u_i(u), .s0_v_i(v),
-    .s0_t_i(t), .s0_back_i(back),
+    .clk_i, .valid_i(surf_at[Ambient-1:0]), .phase_i(phase[Ambient*Every-1:0]),
+    .s0_u_i(u), .s0_v_i(v), .s0_t_i(t), .s0_back_i(back),
     .s0_surface_i(surface), .s0_o_i(o), .s0_d_i(d), .s0_weight_i(state.weight),
-    .tone_valid_i(tone_at[6:0]), .s0_texture_i(s0_is_texture), .s0_albedo_i(albedo),
-    .s0_share_i(share), .s0_texel_i(texel[3*ColourBits-1:0]),
+    .tone_valid_i(tone_at[Ambient-1:0]), .s0_texture_i(s0_is_texture), .s0_albedo_i(albedo),
+    .s0_share_i(share), .s0_texel_i(texel.colour),
     .s5_o_o(s5_o), .s5_n_o(s5_n), .s5_toward_o(s5_toward), .s5_far_o(s5_far),
     .s5_lost_o(s5_lost),
     .s6_albedo_o(s6_albedo), .s7_ambient_o(s7_ambient));
 
-  rc_stage_delay #(.Width(3 * PointWidth + 3 * NormalBits + 2), .Stages(Out - 5),
+  rc_stage_delay #(.Width(3 * PointWidth + 3 * NormalBits + 2), .Stages(Out - Toward),
                    .Parts(rc_pkg::PassParts))
     u_point (
-    .clk_i, .rst_ni, .enter_i(surf_at[5]), .leave_i(surf_at[Out]),
+    .clk_i, .rst_ni, .enter_i(surf_at[Toward]), .leave_i(surf_at[Out]),
     .data_i({s5_o, s5_n, s5_far, s5_lost}),
     .data_o({surf_o, surf_n, surf_far, surf_lost}));
 
-  rc_stage_delay #(.Width(3 * ColourBits), .Stages(Out - 6), .Parts(rc_pkg::PassParts)) u_albedo (
-    .clk_i, .rst_ni, .enter_i(tone_at[6]), .leave_i(tone_at[Out]), .data_i(s6_albedo),
+  rc_stage_delay #(.Width(3 * ColourBits), .Stages(Out - Albedo),
+                   .Parts(rc_pkg::PassParts))
+  u_albedo (
+    .clk_i, .rst_ni, .enter_i(tone_at[Albedo]), .leave_i(tone_at[Out]), .data_i(s6_albedo),
     .data_o(surf_albedo));
 
-  rc_stage_delay #(.Width(3 * ValueBits), .Stages(Out - 7), .Parts(rc_pkg::PassParts)) u_ambient (
-    .clk_i, .rst_ni, .enter_i(tone_at[7]), .leave_i(tone_at[Out]), .data_i(s7_ambient),
+  rc_stage_delay #(.Width(3 * ValueBits), .Stages(Out - Ambient),
+                   .Parts(rc_pkg::PassParts))
+  u_ambient (
+    .clk_i, .rst_ni, .enter_i(tone_at[Ambient]), .leave_i(tone_at[Out]), .data_i(s7_ambient),
     .data_o(surf_ambient));
 
   // ---- With textures: the inputs of tex: the length of the path, u and v.
@@ -322,21 +340,21 @@ module rc_pass #(
   if (rc_pkg::HasTextures) begin : gen_path
     logic [rc_pkg::PathBits-1:0] s3_path, near_path;
 
-    rc_stage_delay #(.Width(3 * M), .Stages(15)) u_old_d (
-      .clk_i, .rst_ni, .enter_i(s0_texture), .leave_i(texture_at[15]), .data_i(d),
+    rc_stage_delay #(.Width(3 * M), .Stages(Cosine)) u_old_d (
+      .clk_i, .rst_ni, .enter_i(s0_texture), .leave_i(texture_at[Cosine]), .data_i(d),
       .data_o(s15_old_d));
 
     rc_stage_delay #(.Width(1), .Stages(Out), .Parts(rc_pkg::PassParts)) u_hole (
       .clk_i, .rst_ni, .enter_i(s0_texture), .leave_i(texture_at[Out]),
-      .data_i(texel[3*ColourBits]), .data_o(end_hole));
+      .data_i(texel.hole), .data_o(end_hole));
 
     rc_path_length u_path_length (
-      .clk_i, .valid_i(surf_at[2:0]), .s1_phase_i(phase[Every +: Every]),
+      .clk_i, .valid_i(surf_at[Path-1:0]), .s1_phase_i(phase[Every +: Every]),
       .s0_path_i(state.path), .s0_t_i(t), .s0_d_i(d), .s3_path_o(s3_path));
 
-    rc_stage_delay #(.Width(rc_pkg::PathBits), .Stages(Out - 3), .Parts(rc_pkg::PassParts))
+    rc_stage_delay #(.Width(rc_pkg::PathBits), .Stages(Out - Path), .Parts(rc_pkg::PassParts))
     u_path (
-      .clk_i, .rst_ni, .enter_i(surf_at[3]), .leave_i(surf_at[Out]), .data_i(s3_path),
+      .clk_i, .rst_ni, .enter_i(surf_at[Path]), .leave_i(surf_at[Out]), .data_i(s3_path),
       .data_o(near_path));
 
     // A plane's hit may be too far away for t.
@@ -345,12 +363,12 @@ module rc_pass #(
       logic [rc_pkg::PathBits-1:0] s8_path, far_path;
 
       rc_far_path u_far_path (
-        .clk_i, .rst_ni, .valid_i(surf_at[7:0]), .s0_path_i(state.path), .s0_o_i(o), .s5_o_i(s5_o),
-        .s8_path_o(s8_path));
+        .clk_i, .rst_ni, .valid_i(surf_at[FarPath-1:0]), .s0_path_i(state.path), .s0_o_i(o),
+        .s5_o_i(s5_o), .s8_path_o(s8_path));
 
-      rc_stage_delay #(.Width(rc_pkg::PathBits), .Stages(Out - 8), .Parts(rc_pkg::PassParts))
+      rc_stage_delay #(.Width(rc_pkg::PathBits), .Stages(Out - FarPath), .Parts(rc_pkg::PassParts))
       u_far (
-        .clk_i, .rst_ni, .enter_i(surf_at[8]), .leave_i(surf_at[Out]), .data_i(s8_path),
+        .clk_i, .rst_ni, .enter_i(surf_at[FarPath]), .leave_i(surf_at[Out]), .data_i(s8_path),
         .data_o(far_path));
 
       rc_stage_delay #(.Width(1), .Stages(Out), .Parts(rc_pkg::PassParts)) u_is_far (
@@ -370,42 +388,43 @@ module rc_pass #(
     assign {surf_path, face_u, face_v, end_hole, s15_old_d} = '0;
 
     logic unused;
-    assign unused = texel[3*ColourBits];
+    assign unused = texel.hole;
   end
 
   // ---- Unit vectors and cosines.
   logic [3*ToLightW-1:0] s5_to;
   logic [3*AxisBits-1:0] s13_unit, s13_new_view, surf_normal, surf_view;
   logic [ValueBits-1:0]  s15_cosine, surf_cosine;
-  logic signed [18:0]    s15_mirror;
+  logic signed [AxisBits:0] s15_mirror;
 
   for (genvar k = 0; k < 3; k++) begin : gen_target
-    assign s5_target[k*UnitW +: UnitW] = light_q[5] ? UnitW'($signed(s5_to[k*ToLightW +: ToLightW]))
-                            : transform_q_at[5] ? s5_turned[k*UnitW +: UnitW]
-                                           : s5_toward[k*UnitW +: UnitW];
+    assign s5_target[k*UnitW +: UnitW] =
+        light_q[Toward]        ? UnitW'($signed(s5_to[k*ToLightW +: ToLightW]))
+        : transform_q_at[Toward] ? s5_turned[k*UnitW +: UnitW] : s5_toward[k*UnitW +: UnitW];
   end
 
   rc_angles #(.UnitW(UnitW)) u_angles (
-    .clk_i, .rst_ni, .surf_i(face_at[14:0]), .light_i(light_at[14:0]),
-    .phase_i(phase[14*Every-1:0]), .s13_surf_i(surf_q[13] || transform_q_at[13]), .s0_d_i(d),
+    .clk_i, .rst_ni, .surf_i(face_at[Unit+1:0]), .light_i(light_at[Unit+1:0]),
+    .phase_i(phase[(Unit+1)*Every-1:0]), .s13_surf_i(surf_q[Unit] || transform_q_at[Unit]),
+    .s0_d_i(d),
     .s5_toward_i(s5_target), .s13_normal_i(s13_normal), .s13_view_i(s13_view),
     .s13_unit_o(s13_unit), .s13_view_o(s13_new_view), .s15_cosine_o(s15_cosine),
     .s15_mirror_o(s15_mirror));
 
-  rc_stage_delay #(.Width(6 * AxisBits), .Stages(Out - 13), .Parts(rc_pkg::PassParts))
+  rc_stage_delay #(.Width(6 * AxisBits), .Stages(Out - Unit), .Parts(rc_pkg::PassParts))
   u_surf_vectors (
-    .clk_i, .rst_ni, .enter_i(face_at[13]), .leave_i(face_at[Out]),
+    .clk_i, .rst_ni, .enter_i(face_at[Unit]), .leave_i(face_at[Out]),
     .data_i({s13_unit, s13_new_view}),
     .data_o({surf_normal, surf_view}));
 
-  rc_stage_delay #(.Width(ValueBits), .Stages(Out - 15), .Parts(rc_pkg::PassParts)) u_cosine (
-    .clk_i, .rst_ni, .enter_i(face_at[15]), .leave_i(face_at[Out]), .data_i(s15_cosine),
+  rc_stage_delay #(.Width(ValueBits), .Stages(Out - Cosine), .Parts(rc_pkg::PassParts)) u_cosine (
+    .clk_i, .rst_ni, .enter_i(face_at[Cosine]), .leave_i(face_at[Out]), .data_i(s15_cosine),
     .data_o(surf_cosine));
 
   // ---- With textures on spheres: the place of the normal in the picture.
   localparam int unsigned Steps = rc_pkg::OctahedralSteps;
   // The first stage at whose end the place is in rc_octahedral's output registers.
-  localparam int unsigned Ready = 13 + (Steps + 1 + Every) / Every;
+  localparam int unsigned Ready = Unit + (Steps + 1 + Every) / Every;
 
   if (Round && Ready >= Out) begin : gen_refuse
     $error("rc_pass: a sphere's place in its picture comes too late");
@@ -415,17 +434,17 @@ module rc_pass #(
     logic              s13_inside, leaves_13, begins_14;
     logic [UvBits-1:0] ready_u, ready_v;
 
-    assign leaves_13 = rc_pkg::HasHomes ? transform_at[13] : surf_at[13];
-    assign begins_14 = phase[14*Every]
-                     && (rc_pkg::HasHomes ? transform_q_at[14] : surf_q[14]);
+    assign leaves_13 = rc_pkg::HasHomes ? transform_at[Unit] : surf_at[Unit];
+    assign begins_14 = phase[(Unit+1)*Every]
+                     && (rc_pkg::HasHomes ? transform_q_at[Unit+1] : surf_q[Unit+1]);
 
-    rc_stage_delay #(.Width(1), .Stages(13)) u_inside (
-      .clk_i, .rst_ni, .enter_i(face_at[0]), .leave_i(face_at[13]), .data_i(known.is_inside),
-      .data_o(s13_inside));
+    rc_stage_delay #(.Width(1), .Stages(Unit)) u_inside (
+      .clk_i, .rst_ni, .enter_i(face_at[0]), .leave_i(face_at[Unit]),
+      .data_i(s0_begin_state.is_inside), .data_o(s13_inside));
 
     rc_octahedral u_octahedral (
       .clk_i, .leaves_13_i(leaves_13), .s13_normal_i(rc_pkg::HasHomes ? s13_normal : s13_unit),
-      .s13_inside_i(s13_inside), .begins_14_i(begins_14), .done_i(phase[14*Every+Steps]),
+      .s13_inside_i(s13_inside), .begins_14_i(begins_14), .done_i(phase[(Unit+1)*Every+Steps]),
       .u_o(ready_u), .v_o(ready_v));
 
     rc_stage_delay #(.Width(2 * UvBits), .Stages(Out - Ready), .Parts(rc_pkg::PassParts)) u_round (
@@ -444,7 +463,7 @@ module rc_pass #(
   logic [3*M-1:0]          s15_bounce_d;
 
   rc_light u_light (
-    .clk_i, .rst_ni, .frame_i, .valid_i(light_at), .phase_i(phase[28*Every-1:0]),
+    .clk_i, .rst_ni, .frame_i, .valid_i(light_at), .phase_i(phase[Stages*Every-1:0]),
     .s0_light_i(state.light),
     .s0_o_i(state.o), .s0_far_i(state.is_far), .s0_weight_i(state.weight),
     .s0_state_i(state), .s5_to_o(s5_to),
@@ -454,17 +473,17 @@ module rc_pass #(
     .s28_near_o(light_near), .s28_clear_o(light_clear), .s28_share_o(light_share));
 
   rc_bounce u_bounce (
-    .clk_i, .rst_ni, .valid_i(bounce_at[14:0]), .phase_i(phase[14*Every-1:0]),
+    .clk_i, .rst_ni, .valid_i(bounce_at[Unit+1:0]), .phase_i(phase[(Unit+1)*Every-1:0]),
     .s0_refract_i(s0_refract), .s0_state_i(state),
     .s13_normal_i(s13_normal), .s13_view_i(s13_view), .s9_weight_o(s9_weight),
     .s13_total_o(s13_total), .s15_d_o(s15_bounce_d));
 
-  rc_stage_delay #(.Width(ValueBits), .Stages(Out - 9), .Parts(rc_pkg::PassParts)) u_weight (
-    .clk_i, .rst_ni, .enter_i(bounce_at[9]), .leave_i(bounce_at[Out]), .data_i(s9_weight),
+  rc_stage_delay #(.Width(ValueBits), .Stages(Out - Weight), .Parts(rc_pkg::PassParts)) u_weight (
+    .clk_i, .rst_ni, .enter_i(bounce_at[Weight]), .leave_i(bounce_at[Out]), .data_i(s9_weight),
     .data_o(bounce_weight));
 
-  rc_stage_delay #(.Width(1), .Stages(Out - 13), .Parts(rc_pkg::PassParts)) u_total (
-    .clk_i, .rst_ni, .enter_i(bounce_at[13]), .leave_i(bounce_at[Out]), .data_i(s13_total),
+  rc_stage_delay #(.Width(1), .Stages(Out - Unit), .Parts(rc_pkg::PassParts)) u_total (
+    .clk_i, .rst_ni, .enter_i(bounce_at[Unit]), .leave_i(bounce_at[Out]), .data_i(s13_total),
     .data_o(bounce_total));
 
   // ---- Background, for a ray that met nothing or a bounce that is not traced.
@@ -475,18 +494,20 @@ module rc_pass #(
   assign background   = frame_i.background;
 
   rc_background u_background (
-    .clk_i, .rst_ni, .begins_i(ends[0]), .s0_weight_i(state_weight), .s9_ends_i(ends[9]),
-    .s9_phase_i(phase[9*Every +: Every]), .s9_bounce_i(bounce_q[9]), .s9_weight_i(s9_weight),
-    .colour_i(background), .s10_ends_i(ends[10]), .end_i(ends[Out]), .end_colour_o(end_background));
+    .clk_i, .rst_ni, .begins_i(ends[0]), .s0_weight_i(state_weight), .s9_ends_i(ends[Weight]),
+    .s9_phase_i(phase[Weight*Every +: Every]), .s9_bounce_i(bounce_q[Weight]),
+    .s9_weight_i(s9_weight), .colour_i(background), .s10_ends_i(ends[Weight+1]),
+    .end_i(ends[Out]), .end_colour_o(end_background));
 
   // ---- Side of the surface to which a direction leaves: exact.
   logic above, below, end_above, end_below, end_positive;
   logic [3*RayDirBits-1:0] side_d;
 
   for (genvar k = 0; k < 3; k++) begin : gen_d
-    assign s15_d[k*RayDirBits +: RayDirBits] = light_q[15] ? s15_light_d[k*RayDirBits +: RayDirBits]
-                             : texture_q[15] ? RayDirBits'($signed(s15_old_d[k*M +: M]))
-                                          : RayDirBits'($signed(s15_bounce_d[k*M +: M]));
+    assign s15_d[k*RayDirBits +: RayDirBits] =
+        light_q[Cosine]     ? s15_light_d[k*RayDirBits +: RayDirBits]
+        : texture_q[Cosine] ? RayDirBits'($signed(s15_old_d[k*M +: M]))
+        : RayDirBits'($signed(s15_bounce_d[k*M +: M]));
   end
 
   rc_normal_side u_normal_side (
@@ -499,8 +520,10 @@ module rc_pass #(
     .leave_i(light_at[Out] || bounce_at[Out]), .data_i({above, below}),
     .data_o({end_above, end_below}));
 
-  rc_stage_delay #(.Width(3 * RayDirBits + 1), .Stages(Out - 15), .Parts(rc_pkg::PassParts)) u_d (
-    .clk_i, .rst_ni, .enter_i(sends_at[15]), .leave_i(sends_at[Out]),
+  rc_stage_delay #(.Width(3 * RayDirBits + 1), .Stages(Out - Cosine),
+                   .Parts(rc_pkg::PassParts))
+  u_d (
+    .clk_i, .rst_ni, .enter_i(sends_at[Cosine]), .leave_i(sends_at[Out]),
     .data_i({s15_d, s15_cosine != '0}),
     .data_o({end_d, end_positive}));
 
@@ -524,26 +547,26 @@ module rc_pass #(
     assign map_b = place.b;
 
     rc_instance_space #(.UnitW(UnitW)) u_instance_space (
-      .clk_i, .rst_ni, .transform_valid_i(transform_at[4:0]), .s0_phase_i(phase[Every-1:0]),
+      .clk_i, .rst_ni, .transform_valid_i(transform_at[Toward-1:0]), .s0_phase_i(phase[Every-1:0]),
       .s0_o_i(o),
       .s0_d_i(d), .s0_t_i(t), .s0_normal_i(state.normal), .s0_a_i(map_a),
       .s5_toward_o(s5_turned), .s5_o_o(s5_turned_o),
-      .leave_0_i(sends_at[0]), .leave_valid_i(sends_at[18:15]),
-      .s15_phase_i(phase[15*Every +: Every]), .s0_b_i(map_b), .s0_inner_i(state.inner),
-      .s15_near_i(light_q[15] && s15_near), .s15_place_i(s15_place), .s15_d_i(s15_d),
+      .leave_0_i(sends_at[0]), .leave_valid_i(sends_at[Home-1:Cosine]),
+      .s15_phase_i(phase[Cosine*Every +: Every]), .s0_b_i(map_b), .s0_inner_i(state.inner),
+      .s15_near_i(light_q[Cosine] && s15_near), .s15_place_i(s15_place), .s15_d_i(s15_d),
       .s19_o_o(s19_home_o), .s19_d_o(s19_home_d));
 
     assign side_d = s19_home_d;
 
-    rc_stage_delay #(.Width(3 * OriginWidth), .Stages(Out - 5), .Parts(rc_pkg::PassParts))
+    rc_stage_delay #(.Width(3 * OriginWidth), .Stages(Out - Toward), .Parts(rc_pkg::PassParts))
     u_turned (
-      .clk_i, .rst_ni, .enter_i(transform_at[5]), .leave_i(transform_at[Out]), .data_i(s5_turned_o),
-      .data_o(turned_o));
+      .clk_i, .rst_ni, .enter_i(transform_at[Toward]), .leave_i(transform_at[Out]),
+      .data_i(s5_turned_o), .data_o(turned_o));
 
-    rc_stage_delay #(.Width(3 * (OriginWidth + RayDirBits)), .Stages(Out - 19),
+    rc_stage_delay #(.Width(3 * (OriginWidth + RayDirBits)), .Stages(Out - Home),
                      .Parts(rc_pkg::PassParts))
     u_home (
-      .clk_i, .rst_ni, .enter_i(sends_at[19]), .leave_i(sends_at[Out]),
+      .clk_i, .rst_ni, .enter_i(sends_at[Home]), .leave_i(sends_at[Out]),
       .data_i({s19_home_o, s19_home_d}),
       .data_o({end_home_o, end_home_d}));
 
@@ -580,9 +603,9 @@ module rc_pass #(
 
     assign s0_o = state.o;
 
-    rc_stage_delay #(.Width(3 * PointWidth), .Stages(15)) u_o (
-      .clk_i, .rst_ni, .enter_i(s0_light || s0_bounce), .leave_i(light_at[15] || bounce_at[15]),
-      .data_i(s0_o), .data_o(s15_o));
+    rc_stage_delay #(.Width(3 * PointWidth), .Stages(Cosine)) u_o (
+      .clk_i, .rst_ni, .enter_i(s0_light || s0_bounce), 
+      .leave_i(light_at[Cosine] || bounce_at[Cosine]), .data_i(s0_o), .data_o(s15_o));
 
     for (genvar k = 0; k < 3; k++) begin : gen_short
       assign s15_new_d[k*M +: M] = s15_d[k*RayDirBits +: M];
@@ -592,7 +615,8 @@ module rc_pass #(
       .clk_i, .data_i(s15_new_d), .data_o(s15_short_d));
 
     rc_approach u_approach (
-      .clk_i, .rst_ni, .valid_i(light_at[27:15] | bounce_at[27:15]), .s15_p_i(s15_o),
+      .clk_i, .rst_ni, .valid_i(light_at[Stages-1:Cosine] | bounce_at[Stages-1:Cosine]),
+      .s15_p_i(s15_o),
       .s15_d_i(s15_short_d), .s28_enters_o(enters), .s28_entry_o(entry));
   end else begin : gen_within
     assign enters = 1'b0;
@@ -634,15 +658,15 @@ module rc_pass #(
     logic [3*ValueBits-1:0]  s4_least, s4_most, s4_mean;
 
     rc_finish u_finish (
-      .clk_i, .frame_i, .valid_i(end_at[3:0]), .phase_i(phase[Every +: Every]),
+      .clk_i, .frame_i, .valid_i(end_at[Mean-1:0]), .phase_i(phase[Every +: Every]),
       .s0_state_i(state), .s0_colour_i(colour),
       .s4_more_o(s4_more), .s4_sum_o(s4_sum), .s4_least_o(s4_least), .s4_most_o(s4_most),
       .s4_colour_o(s4_mean));
 
-    rc_stage_delay #(.Width(1 + 3 * SumBits + 9 * ValueBits), .Stages(Out - 4),
+    rc_stage_delay #(.Width(1 + 3 * SumBits + 9 * ValueBits), .Stages(Out - Mean),
                      .Parts(rc_pkg::PassParts))
       u_end (
-      .clk_i, .rst_ni, .enter_i(end_at[4]), .leave_i(end_at[Out]),
+      .clk_i, .rst_ni, .enter_i(end_at[Mean]), .leave_i(end_at[Out]),
       .data_i({s4_more, s4_sum, s4_least, s4_most, s4_mean}),
       .data_o({end_more, end_sum, end_least, end_most, end_mean}));
   end else begin : gen_one_sample

@@ -1,5 +1,5 @@
-// The start of a pass: its event, and the context's state that is known then. Part of rc_pass;
-// combinational. Model: pass() in model/unit/shade/pass.cpp.
+// The start of a pass: its event, and the context's state after it. Part of rc_pass; combinational.
+// Model: pass() in model/unit/shade/pass.cpp.
 `default_nettype none
 module rc_pass_begin #(
   localparam int unsigned ValueBits = rc_pkg::ValueBits,
@@ -26,7 +26,7 @@ module rc_pass_begin #(
   output logic [3*ValueBits-1:0] colour_o,   // including what was pending
   output logic                   has_material_o,   // a surface has been hit, even without valid_i:
   output rc_pkg::material_t      material_o,   // its material
-  output rc_pkg::shade_state_t   known_o
+  output rc_pkg::shade_state_t   begin_state_o
 );
 
   // Event.
@@ -73,37 +73,37 @@ module rc_pass_begin #(
   assign old_share  = state_i.share;
 
   for (genvar k = 0; k < 3; k++) begin : gen_channel
-    logic [17:0] sum;
-    assign sum = {1'b0, old_colour[k*ValueBits +: ValueBits]}
-               + (adds ? {1'b0, old_share[k*ValueBits +: ValueBits]} : '0);
-    assign colour_o[k*ValueBits +: ValueBits] = sum[17:16] != '0 ? rc_pkg::ValueOne : sum[16:0];
+    rc_add_saturated u_sum (
+      .a_i(old_colour[k*ValueBits +: ValueBits]),
+      .b_i(adds ? old_share[k*ValueBits +: ValueBits] : '0),
+      .sum_o(colour_o[k*ValueBits +: ValueBits]));
   end
 
   // The state.
-  rc_pkg::shade_state_t known, known_texture, known_round;
+  rc_pkg::shade_state_t common, textured, shaped;   // each with more of the optional fields
 
   always_comb begin
-    known         = state_i;
-    known.colour  = colour_o;
-    known.pending = rc_pkg::PendingNone;
+    common         = state_i;
+    common.colour  = colour_o;
+    common.pending = rc_pkg::PendingNone;
     if (arrives && first && state_i.depth == '0 && state_i.sample == '0) begin
-      known.found = found;
-      known.prim  = prim;
-      known.t     = t;
-      known.u     = u;
-      known.v     = v;
+      common.found = found;
+      common.prim  = prim;
+      common.t     = t;
+      common.u     = u;
+      common.v     = v;
     end
     if (has_material_o) begin
-      known.diffuse   = surface_i.diffuse;
-      known.highlight = surface_i.highlight;
-      known.mirror    = surface_i.mirror;
-      known.shine     = surface_i.shine;
-      known.transmit  = surface_i.transmit;
-      known.ratio     = back ? surface_i.leave : surface_i.enter;
-      known.schlick   = surface_i.schlick;
-      known.r0        = surface_i.r0;
-      known.self      = prim;
-      known.is_inside = back;
+      common.diffuse   = surface_i.diffuse;
+      common.highlight = surface_i.highlight;
+      common.mirror    = surface_i.mirror;
+      common.shine     = surface_i.shine;
+      common.transmit  = surface_i.transmit;
+      common.ratio     = back ? surface_i.leave : surface_i.enter;
+      common.schlick   = surface_i.schlick;
+      common.r0        = surface_i.r0;
+      common.self      = prim;
+      common.is_inside = back;
     end
   end
 
@@ -115,53 +115,53 @@ module rc_pass_begin #(
                   ? normal[4*rc_pkg::CornerBits +: rc_pkg::Panes] : '0;
 
     always_comb begin
-      known_o = known_round;
-      if (has_material_o) known_o.across = state_i.in_cell ^ pane;
+      begin_state_o = shaped;
+      if (has_material_o) begin_state_o.across = state_i.in_cell ^ pane;
     end
 
     logic unused_normal;
     assign unused_normal = ^normal;
   end else begin : gen_no_panes
-    assign known_o = known_round;
+    assign begin_state_o = shaped;
   end
 
   if (rc_pkg::HasTextures) begin : gen_texture
     always_comb begin
-      known_texture = known;
+      textured = common;
       if (has_material_o) begin
-        known_texture.ambient = surface_i.ambient;
-        known_texture.record  = surface_i.record;
+        textured.ambient = surface_i.ambient;
+        textured.record  = surface_i.record;
       end
-      if (cutout_i) known_texture.record = surface_i.record;
+      if (cutout_i) textured.record = surface_i.record;
     end
 
-    assign material_o.ambient = known_texture.ambient;
-    assign material_o.record  = known_texture.record;
+    assign material_o.ambient = textured.ambient;
+    assign material_o.record  = textured.record;
   end else begin : gen_no_texture
-    assign known_texture = known;
+    assign textured = common;
   end
 
   if (rc_pkg::HasTextures && rc_pkg::Spheres) begin : gen_round
     always_comb begin
-      known_round = known_texture;
-      if (has_material_o) known_round.is_round = surface_i.kind == rc_pkg::PrimSphere;
+      shaped = textured;
+      if (has_material_o) shaped.is_round = surface_i.kind == rc_pkg::PrimSphere;
     end
 
-    assign material_o.is_round = known_round.is_round;
+    assign material_o.is_round = shaped.is_round;
   end else begin : gen_not_round
-    assign known_round = known_texture;
+    assign shaped = textured;
   end
 
-  assign material_o.diffuse   = known.diffuse;
-  assign material_o.highlight = known.highlight;
-  assign material_o.mirror    = known.mirror;
-  assign material_o.shine     = known.shine;
-  assign material_o.transmit  = known.transmit;
-  assign material_o.ratio     = known.ratio;
-  assign material_o.schlick   = known.schlick;
-  assign material_o.r0        = known.r0;
-  assign material_o.self      = known.self;
-  assign material_o.is_inside = known.is_inside;
+  assign material_o.diffuse   = common.diffuse;
+  assign material_o.highlight = common.highlight;
+  assign material_o.mirror    = common.mirror;
+  assign material_o.shine     = common.shine;
+  assign material_o.transmit  = common.transmit;
+  assign material_o.ratio     = common.ratio;
+  assign material_o.schlick   = common.schlick;
+  assign material_o.r0        = common.r0;
+  assign material_o.self      = common.self;
+  assign material_o.is_inside = common.is_inside;
 
   logic unused;
   assign unused = ^{surface_i, hit_i};

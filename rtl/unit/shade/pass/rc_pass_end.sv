@@ -22,7 +22,7 @@ module rc_pass_end #(
   input  logic                 clk_i,
   input  logic                 take_i,
   input  rc_pkg::shade_frame_t frame_i,
-  // The context's state as known at the start of the pass. Of its surface: the point, and whether
+  // The context's state at the start of the pass. Of its surface: the point, and whether
   // it mirrors and transmits
   input  logic [RayBits-1:0]   ray_i,
   input  rc_pkg::shade_state_t begin_state_i,
@@ -82,13 +82,13 @@ module rc_pass_end #(
   // The context's new state, and the outputs
   output logic [RayBits-1:0]                 ray_o,
   output rc_pkg::shade_state_t               state_o,
-  output logic [4:0]                         changes_o, // groups of state_o, as in rc_contexts
+  output rc_pkg::shade_changes_t             changes_o,   // groups of state_o
   output logic                               push_o,
-  output logic [rc_pkg::WaitingW-1:0]        pushed_o,
-  output logic [1:0]                         leave_o,  // rc_pkg::leave_e
-  output logic [rc_pkg::SpawnW-1:0]          spawn_o,
-  output logic [rc_pkg::PixelW-1:0]          pixel_o,
-  output logic [rc_pkg::TexReqW-1:0]         tex_req_o
+  output rc_pkg::waiting_t                   pushed_o,
+  output logic [1:0]                         leave_o,     // rc_pkg::leave_e
+  output rc_pkg::spawn_t                     spawn_o,
+  output rc_pkg::pixel_t                     pixel_o,
+  output rc_pkg::tex_req_t                   tex_req_o
 );
   localparam int unsigned Cut = rc_pkg::PassCut;
 
@@ -122,11 +122,9 @@ module rc_pass_end #(
     .clk_i, .data_i(surf_i || texture_now ? surf_ambient_i : background_i), .data_o(added));
 
   for (genvar k = 0; k < 3; k++) begin : gen_channel
-    logic [17:0] sum;
-
-    assign sum = {1'b0, begin_colour[k*ValueBits +: ValueBits]}
-               + {1'b0, added[k*ValueBits +: ValueBits]};
-    assign colour[k*ValueBits +: ValueBits] = sum[17:16] != '0 ? rc_pkg::ValueOne : sum[16:0];
+    rc_add_saturated u_sum (
+      .a_i(begin_colour[k*ValueBits +: ValueBits]), .b_i(added[k*ValueBits +: ValueBits]),
+      .sum_o(colour[k*ValueBits +: ValueBits]));
   end
 
   // ---- The next event, after a surface or a light.
@@ -173,7 +171,8 @@ module rc_pass_end #(
   // ---- Decisions: whether a light counts, and which rays start.
   logic [5:0] slack;   // bound on the rounding of a weight, in units of 2^-17
   logic lights, sends, heavy, refracted, reflected;
-  logic counts, asks, to_point, shadows, pushes, reflects, escapes;   // escapes: to the background
+  logic counts, awaits_answer, to_point, shadows, pushes, reflects;
+  logic escapes;   // the ray takes the background's colour
 
   assign lights = positive_i && (light_near_i ? below_i : above_i) && (!far || light_clear_i);
   assign sends  = light_near_i ? !begin_state_i.is_lost : starts;
@@ -196,7 +195,7 @@ module rc_pass_end #(
     .data_i({lights, sends, light_near_i && !far, is_light && lights && sends,
              refracted && (starts || beyond), reflected && (starts || beyond),
              (refracted || reflected) && !starts && !beyond}),
-    .data_o({counts, asks, to_point, shadows, pushes, reflects, escapes}));
+    .data_o({counts, awaits_answer, to_point, shadows, pushes, reflects, escapes}));
 
   // A transformed point lies in the lattice. The result in the mesh's space is stored as well.
   logic [3*PointWidth-1:0]  turned_o, found_o;
@@ -211,11 +210,16 @@ module rc_pass_end #(
   end
 
   // ---- New state. Groups that have not changed are not written, and are arbitrary.
-  logic       turned;
-  logic [4:0] changes;   // point, inner, face, albedo, share
+  logic                   turned;
+  rc_pkg::shade_changes_t changes;
 
-  assign turned  = transform_i && home_i != '0;   // otherwise the result in the scene's space stays
-  assign changes = {surf_i || turned, transform_i, surf_i, surf_i || is_texture, is_light};
+  assign turned = transform_i && home_i != '0;   // otherwise the result in the scene's space stays
+
+  assign changes.point  = surf_i || turned;
+  assign changes.inner  = transform_i;
+  assign changes.face   = surf_i;
+  assign changes.albedo = surf_i || is_texture;
+  assign changes.share  = is_light;
 
   // Through a hole the ray continues, at most 63 times.
   logic goes_on;
@@ -260,7 +264,7 @@ module rc_pass_end #(
       next.light      = light;
       next.next_event = after;
       next.pending    = !counts ? rc_pkg::PendingNone
-                      : asks ? rc_pkg::PendingAnswer : rc_pkg::PendingSure;
+                      : awaits_answer ? rc_pkg::PendingAnswer : rc_pkg::PendingSure;
     end
 
     if (is_refract) begin
@@ -303,21 +307,20 @@ module rc_pass_end #(
   logic [1:0]           leave;
 
   // A textured surface goes to tex; with two levels, after the pass *transform*.
-  rc_pkg::tex_req_t           request;
-  logic                       asks_texture;   // for a surface or a cut-out in the way to a light
-  logic                       asks_cutout;
-  logic [rc_pkg::TexReqW-1:0] tex_req;
+  rc_pkg::tex_req_t tex_req;
+  logic             requests_texture;   // for a surface or a cut-out in the way to a light
+  logic             requests_cutout;
 
   if (rc_pkg::HasTextures) begin : gen_texture
 
-    assign asks_texture = (cutout_i || (rc_pkg::HasHomes ? transform_i : surf_i))
+    assign requests_texture = (cutout_i || (rc_pkg::HasHomes ? transform_i : surf_i))
                        && begin_state_i.record != '0;
-    assign asks_cutout  = cutout_i && begin_state_i.record != '0;
+    assign requests_cutout  = cutout_i && begin_state_i.record != '0;
 
     always_comb begin
       textured = next;
-      if (asks_texture && !cutout_i) textured.next_event = rc_pkg::EventTexture;
-      if (asks_cutout)  textured.pending    = rc_pkg::PendingTexture;
+      if (requests_texture && !cutout_i) textured.next_event = rc_pkg::EventTexture;
+      if (requests_cutout)  textured.pending    = rc_pkg::PendingTexture;
       if (surf_i)       textured.path       = path_i;
       if (is_pop)       textured.path       = top_i.path;
       if (is_next)      textured.path       = '0;
@@ -325,39 +328,37 @@ module rc_pass_end #(
       if (is_pop || is_next || reflects) textured.holes = '0;
     end
 
-    assign request.ray    = ray_i;
-    assign request.record = begin_state_i.record;
-    assign request.path   = surf_i ? path_i : begin_state_i.path;
-    assign request.cosine = cutout_i ? rc_pkg::ValueOne
+    assign tex_req.ray    = ray_i;
+    assign tex_req.record = begin_state_i.record;
+    assign tex_req.path   = surf_i ? path_i : begin_state_i.path;
+    assign tex_req.cosine = cutout_i ? rc_pkg::ValueOne
                           : surf_i || turned ? surf_cosine_i : begin_state_i.cosine;
-    assign tex_req        = request;
 
     if (rc_pkg::Spheres) begin : gen_round
-      assign request.u = begin_state_i.is_round && !cutout_i ? round_u_i : u_i;
-      assign request.v = begin_state_i.is_round && !cutout_i ? round_v_i : v_i;
+      assign tex_req.u = begin_state_i.is_round && !cutout_i ? round_u_i : u_i;
+      assign tex_req.v = begin_state_i.is_round && !cutout_i ? round_v_i : v_i;
     end else begin : gen_no_round
-      assign request.u = u_i;
-      assign request.v = v_i;
+      assign tex_req.u = u_i;
+      assign tex_req.v = v_i;
 
       logic unused;
       assign unused = ^{round_u_i, round_v_i};
     end
 
     if (rc_pkg::HasHomes) begin : gen_scale
-      assign request.scale = scale_i;
+      assign tex_req.scale = scale_i;
     end else begin : gen_no_scale
       logic unused;
       assign unused = ^scale_i;
     end
   end else begin : gen_no_texture
-    assign textured     = next;
-    assign asks_texture = 1'b0;
-    assign asks_cutout  = 1'b0;
-    assign request      = '0;
-    assign tex_req      = request;
+    assign textured         = next;
+    assign requests_texture = 1'b0;
+    assign requests_cutout  = 1'b0;
+    assign tex_req          = '0;
 
     logic unused;
-    assign unused = ^{path_i, u_i, v_i, round_u_i, round_v_i, hole_i, scale_i, asks_cutout};
+    assign unused = ^{path_i, u_i, v_i, round_u_i, round_v_i, hole_i, scale_i, requests_cutout};
   end
 
   if (rc_pkg::Panes != 0) begin : gen_cell
@@ -379,7 +380,7 @@ module rc_pass_end #(
     assign now = sided;
   end
 
-  assign leave   = asks_texture ? rc_pkg::LeaveTexture
+  assign leave   = requests_texture ? rc_pkg::LeaveTexture
                  : shadows || reflects || goes_on || is_pop || is_next ? rc_pkg::LeaveSpawn
                  : is_end ? rc_pkg::LeavePixel : rc_pkg::LeaveAgain;
 
@@ -521,39 +522,35 @@ module rc_pass_end #(
     assign pixel.cutout = 1'b0;
   end
 
-  // ---- Outputs, in three parts: Verilator 5.006 does not compile a concatenation of a thousand
-  // bits.
-  localparam int unsigned ContextW = RayBits + rc_pkg::ShadeStateW + 5 + 1;
-  localparam int unsigned RaysW    = rc_pkg::WaitingW + rc_pkg::SpawnW;
-  localparam int unsigned EndW     = 2 + rc_pkg::PixelW + rc_pkg::TexReqW;
-  logic [ContextW-1:0] made_context, kept_context;
-  logic [RaysW-1:0]    made_rays, kept_rays;
-  logic [EndW-1:0]     made_end, kept_end;
-
-  assign made_context = {ray_i, now, changes, pushes};
-  assign made_rays    = {waiting, spawn};
-  assign made_end     = {leave, pixel, tex_req};
-
+  // ---- Outputs.
   if (Cut == 0) begin : gen_now
-    assign kept_context = made_context;
-    assign kept_rays    = made_rays;
-    assign kept_end     = made_end;
+    assign ray_o     = ray_i;
+    assign state_o   = now;
+    assign changes_o = changes;
+    assign push_o    = pushes;
+    assign pushed_o  = waiting;
+    assign leave_o   = leave;
+    assign spawn_o   = spawn;
+    assign pixel_o   = pixel;
+    assign tex_req_o = tex_req;
 
     logic unused;
     assign unused = ^{clk_i, take_i};
-  end else begin : gen_kept
+  end else begin : gen_held_outputs
     always_ff @(posedge clk_i) begin
       if (take_i) begin
-        kept_context <= made_context;
-        kept_rays    <= made_rays;
-        kept_end     <= made_end;
+        ray_o     <= ray_i;
+        state_o   <= now;
+        changes_o <= changes;
+        push_o    <= pushes;
+        pushed_o  <= waiting;
+        leave_o   <= leave;
+        spawn_o   <= spawn;
+        pixel_o   <= pixel;
+        tex_req_o <= tex_req;
       end
     end
   end
-
-  assign {ray_o, state_o, changes_o, push_o} = kept_context;
-  assign {pushed_o, spawn_o}      = kept_rays;
-  assign {leave_o, pixel_o, tex_req_o} = kept_end;
 
   logic unused;
   assign unused = ^{frame_i, top_i, begin_origin, turned_o, inner, found_o, home_i};

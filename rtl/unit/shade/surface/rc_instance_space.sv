@@ -20,7 +20,9 @@ module rc_instance_space #(
   localparam int unsigned TBits       = rc_pkg::TBits,
   localparam int unsigned MapFrac     = rc_pkg::MapFrac,
   localparam int unsigned MapBits     = rc_pkg::MapBits,
-  localparam int unsigned Every = rc_pkg::ShadeInterval
+  localparam int unsigned Cosine      = rc_pkg::StageCosine,
+  localparam int unsigned Home        = rc_pkg::StageHome,
+  localparam int unsigned Every       = rc_pkg::ShadeInterval
 ) (
   input  logic                     clk_i,
   input  logic                     rst_ni,
@@ -36,7 +38,7 @@ module rc_instance_space #(
   output logic [3*OriginWidth-1:0] s5_o_o,
   // A ray leaves, or a shadow ray ends
   input  logic                     leave_0_i,     // the pass leaves s0,
-  input  logic [18:15]             leave_valid_i, // s15 and later stages
+  input  logic [Home-1:Cosine]     leave_valid_i, // s15 and later stages
   input  logic [Every-1:0]         s15_phase_i,
   input  logic [3*(N+MapFrac)-1:0] s0_b_i,
   input  logic [3*OriginWidth-1:0] s0_inner_i,    // the point in the mesh's space
@@ -92,11 +94,11 @@ module rc_instance_space #(
   logic [3*(N+MapFrac)-1:0] s15_b;
   logic [3*OriginWidth-1:0] s18_inner;
 
-  rc_stage_delay #(.Width(9 * MapBits + 3 * (N + MapFrac)), .Stages(15)) u_map (
-    .clk_i, .rst_ni, .enter_i(leave_0_i), .leave_i(leave_valid_i[15]), .data_i({s0_a_i, s0_b_i}),
-    .data_o({s15_a, s15_b}));
-  rc_stage_delay #(.Width(3 * OriginWidth), .Stages(18)) u_inner (
-    .clk_i, .rst_ni, .enter_i(leave_0_i), .leave_i(leave_valid_i[18]), .data_i(s0_inner_i),
+  rc_stage_delay #(.Width(9 * MapBits + 3 * (N + MapFrac)), .Stages(Cosine)) u_map (
+    .clk_i, .rst_ni, .enter_i(leave_0_i), .leave_i(leave_valid_i[Cosine]),
+    .data_i({s0_a_i, s0_b_i}), .data_o({s15_a, s15_b}));
+  rc_stage_delay #(.Width(3 * OriginWidth), .Stages(Home - 1)) u_inner (
+    .clk_i, .rst_ni, .enter_i(leave_0_i), .leave_i(leave_valid_i[Home-1]), .data_i(s0_inner_i),
     .data_o(s18_inner));
 
   // Products.
@@ -115,11 +117,11 @@ module rc_instance_space #(
   rc_mul_held #(.AW(MapBits), .BW(FactorW), .Products(9)) u_map_products (
     .clk_i, .phase_i(s15_phase_i), .a_i(s15_a), .b_i({3{s15_v}}), .p_o(s15_product));
   rc_shift_register #(.Width(9 * (MapBits + FactorW) + 3 * SumW), .Stages(1)) u_map_product (
-    .clk_i, .enable_i(leave_valid_i[15]), .data_i({s15_product, s15_rest}),
+    .clk_i, .enable_i(leave_valid_i[Cosine]), .data_i({s15_product, s15_rest}),
     .data_o({s16_product, s16_rest}));
 
-  rc_shift_register #(.Width(1), .Stages(3)) u_near (
-    .clk_i, .enable_i(leave_valid_i[17:15]), .data_i(s15_near_i), .data_o(s18_near));
+  rc_shift_register #(.Width(1), .Stages(Home - 1 - Cosine)) u_near (
+    .clk_i, .enable_i(leave_valid_i[Home-2:Cosine]), .data_i(s15_near_i), .data_o(s18_near));
 
   // Sums, rounded; then the origin and the direction.
   for (genvar i = 0; i < 3; i++) begin : gen_moved
@@ -131,14 +133,14 @@ module rc_instance_space #(
     assign s18_light = OriginWidth'(s18_moved_q[N-1:0]) << OriginBits;
 
     always_ff @(posedge clk_i) begin
-      if (leave_valid_i[16]) begin
+      if (leave_valid_i[Cosine+1]) begin
         s17_first_q <= SumW'($signed(s16_product[3*i*(MapBits+FactorW) +: MapBits+FactorW]))
                       + SumW'($signed(s16_product[(3*i+1)*(MapBits+FactorW) +: MapBits+FactorW]));
         s17_second_q <= SumW'($signed(s16_product[(3*i+2)*(MapBits+FactorW) +: MapBits+FactorW]))
                         + s16_rest[i*SumW +: SumW];
       end
-      if (leave_valid_i[17]) s18_moved_q <= s17_total[MapFrac +: FactorW];
-      if (leave_valid_i[18]) begin
+      if (leave_valid_i[Home-2]) s18_moved_q <= s17_total[MapFrac +: FactorW];
+      if (leave_valid_i[Home-1]) begin
         s19_o_o[i*OriginWidth +: OriginWidth] <= s18_near ? s18_light
                                                : s18_inner[i*OriginWidth +: OriginWidth];
         s19_d_o[i*RayDirBits +: RayDirBits] <=

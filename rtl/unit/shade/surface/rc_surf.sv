@@ -46,15 +46,19 @@ module rc_surf #(
 );
   localparam int unsigned CornerBits  = rc_pkg::CornerBits;
   localparam int unsigned BaryBits    = rc_pkg::BaryBits;
-  localparam int unsigned Drop        = BaryBits - OriginBits;         // bits that u and v lose
-  // More bits on triangles with coarse edges.
+  // Drop: number of low bits that rounding removes from u and v.
+  localparam int unsigned Drop        = BaryBits - OriginBits;
+  // MostFine: largest number of these bits that stay, on triangles with coarse edges.
   localparam int unsigned MostFine    = rc_pkg::MaxFine;
-  // Of u and v afterwards, signed.
+  // WeightW: width of u and v after this rounding, signed.
   localparam int unsigned WeightW     = UvBits + 2 - Drop + MostFine;
+  // RoundW: width of u and v during it, signed.
   localparam int unsigned RoundW      = UvBits + 2 > WeightW ? UvBits + 2 : WeightW;
-  localparam int unsigned DiffW       = N + 1;                            // of an edge, signed
-  localparam int unsigned PlanePointW = WeightW + DiffW + 2;   // of a point of a plane, signed
-  // Of a weighted sum of corner normals, signed.
+  // DiffW: width of a component of an edge, signed.
+  localparam int unsigned DiffW       = N + 1;
+  // PlanePointW: width of a component of a plane's point, signed.
+  localparam int unsigned PlanePointW = WeightW + DiffW + 2;
+  // NormalSumW: width of a component of a weighted sum of corner normals, signed.
   localparam int unsigned NormalSumW  = WeightW + 2 + CornerBits + 2;
 
   // s1: edges; u and v rounded; kind.
