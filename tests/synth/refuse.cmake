@@ -2,7 +2,8 @@
 # A cell refuses parameters that it cannot be built with, in words of its own, and takes legal ones.
 function(try cell parameters expect)
   set(script "read_verilog -sv -defer ${RTL}/rc_pkg.sv")
-  file(GLOB sources ${RTL}/*/*.sv ${RTL}/*/*/*.sv)
+  file(GLOB_RECURSE sources ${RTL}/*.sv)
+  list(FILTER sources EXCLUDE REGEX "/rtl/[^/]*$")
   foreach(source IN LISTS sources)
     string(APPEND script " ${source}")
   endforeach()

@@ -16,8 +16,9 @@ if(EXPECT)
 endif()
 file(GLOB_RECURSE sources ${RTL}/*.sv)
 list(FILTER sources EXCLUDE REGEX "rc_pkg\\.sv$")
-if(NOT EXISTS ${RTL}/board/${TOP}.sv)   # a chip of several pipelines has no board
-  list(FILTER sources EXCLUDE REGEX "/board/[^/]*$")
+file(GLOB_RECURSE of_board ${RTL}/board/${TOP}.sv)
+if(NOT of_board)   # a chip of several pipelines has no board
+  list(FILTER sources EXCLUDE REGEX "/rtl/board/")
 endif()
 list(SORT sources)
 list(JOIN sources "\" \"" sources)   # in quotes: a folder may have a space in its name
