@@ -1,6 +1,6 @@
-// Linear interpolation between a and b with one product: one a + w (b - a) = (one - w) a + w b, where
-// one = 2^Frac. Exact: the result has Frac more fraction bits than a and b, and lies between one a and
-// one b, so its sign bit is 0. No latency.
+// Linear interpolation between a and b with one product: one a + w (b - a) = (one - w) a + w b,
+// where one = 2^Frac. Exact: the result has Frac more fraction bits than a and b, and lies between
+// one a and one b, so its sign bit is 0. No latency.
 `default_nettype none
 module rc_lerp #(
   parameter int unsigned Width = 8,   // of a and b, unsigned

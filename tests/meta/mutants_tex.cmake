@@ -490,8 +490,8 @@ mutant(tex_hole_from_the_origin_of_entry FILE ${pass_end} TEST unit ${shade_rtl_
   OLD [=[: far ? entry_i[k*OriginWidth +: OriginWidth]]=]
   NEW [=[: far || goes_on ? entry_i[k*OriginWidth +: OriginWidth]]=])
 mutant(tex_hole_in_the_direction_of_a_bounce FILE rtl/unit/shade/rc_pass.sv TEST unit ${shade_rtl_case}
-  OLD [[: texture_q[15] ? RayDirBits'(]]
-  NEW [[: texture_q[15] && 1'b0 ? RayDirBits'(]])
+  OLD [[: texture_q[Cosine] ? RayDirBits'(]]
+  NEW [[: texture_q[Cosine] && 1'b0 ? RayDirBits'(]])
 mutant(tex_hole_of_another_hit FILE rtl/unit/shade/rc_pass.sv TEST unit
   "the RTL's pass is the model's with textures and instances*"
   OLD [[.enter_i(s0_texture), .leave_i(texture_at[Out]),

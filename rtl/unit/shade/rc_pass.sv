@@ -604,7 +604,7 @@ module rc_pass #(
     assign s0_o = state.o;
 
     rc_stage_delay #(.Width(3 * PointWidth), .Stages(Cosine)) u_o (
-      .clk_i, .rst_ni, .enter_i(s0_light || s0_bounce), 
+      .clk_i, .rst_ni, .enter_i(s0_light || s0_bounce),
       .leave_i(light_at[Cosine] || bounce_at[Cosine]), .data_i(s0_o), .data_o(s15_o));
 
     for (genvar k = 0; k < 3; k++) begin : gen_short
