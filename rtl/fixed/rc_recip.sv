@@ -24,7 +24,8 @@ module rc_recip #(
   localparam int unsigned ExpBits    = rc_pkg::ExpBits;
   localparam int unsigned Stages     = rc_pkg::RecipStages;
   localparam int unsigned Bits       = rc_pkg::QuotientBits;
-  localparam int unsigned Moved      = 1 + 3 * rc_pkg::PathCut;   // stage where division begins
+  // Moved: the stage in which the division begins.
+  localparam int unsigned Moved      = 1 + 3 * rc_pkg::PathCut;
   localparam int unsigned DivStages  = Stages - Moved;        // stages of the division
 
   // valid[i]: stage i holds a component. A ring (rc_stage_delay) counts the components. So a reset
