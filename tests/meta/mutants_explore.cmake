@@ -95,5 +95,14 @@ mutant(chip_waits_for_static_without_end FILE sim/silicon/chip/nextpnr.cpp TEST 
 
 # ---- Samples: intervals that are too narrow.
 mutant(sample_intervals_of_half_the_width FILE sim/run/sample/estimate.cpp TEST sample "95 % intervals*"
-  OLD [[return student_975(degrees * both) * std::sqrt]]
-  NEW [[return student_975(degrees * both) / 2 * std::sqrt]])
+  OLD [[variance == 0 ? 0 : student_975(degrees) * std::sqrt]]
+  NEW [[variance == 0 ? 0 : student_975(degrees) / 2 * std::sqrt]])
+mutant(sample_film_adds_no_variances FILE sim/run/sample/estimate.cpp TEST sample "95 % intervals of a mean*"
+  OLD [[        variance += e.variance;]]
+  NEW [[        variance = std::max(variance, e.variance);]])
+mutant(sample_film_has_one_seed FILE sim/app/run/sample_run.cpp TEST cli "a sampled film has the keys*"
+  OLD [[seed + f}]]
+  NEW [[seed}]])
+mutant(sample_film_starts_cold FILE sim/app/run/sample_run.cpp TEST cli "the caches of a sampled film*"
+  OLD [[f > 0 && !upload.resets ? &previous : nullptr]]
+  NEW [[false ? &previous : nullptr]])

@@ -56,6 +56,7 @@ struct Plan {
     const Job& job;
     Parts parts;
     OnDemandJob shared;
+    std::optional<OnDemandJob> before;   ///< the previous frame of a film, whose lines are in the caches
     std::uint64_t seed;
     std::uint32_t strata;   ///< samples of different size have independent random numbers
     Traffic traffic;
@@ -134,7 +135,10 @@ public:
     /// Replays all parts at one clock.
     std::vector<Sampled::Measured> replay(int khz) {
         Machine machine(w_.job.config, khz, w_.traffic);
-        if (places_.front().number > 0) warm(machine, 0);
+        if (places_.front().number > 0)
+            warm(machine, 0);
+        else if (w_.before)
+            warm_from_end(machine);
         std::vector<Stretch> stretches;
         for (const Place& place : places_) stretches.push_back(place.stretch);
         machine.start(w_.job.frame, recorder_.trace(), std::move(stretches), pixels_);
@@ -186,8 +190,7 @@ private:
         pixels_ += pixels(end);
     }
 
-    /// Puts lines into the caches that the row of tiles before a place would have left there. On average it
-    /// walks every fourth pixel above the place and every 16th pixel elsewhere.
+    /// Puts lines into the caches that the row of tiles before a place would have left there.
     void warm(Machine& machine, std::size_t i) {
         const SlotOrder& order = w_.parts.order;
         const Place& place = places_[i];
@@ -197,15 +200,33 @@ private:
                             after = i > 0 ? places_[i - 1].end_tile : 0,
                             first = std::max(place.first_tile - std::min(place.first_tile, back),
                                              std::min(after, place.first_tile));
-        Rng rng = w_.rng(2, place.number);
-        std::uint64_t slot = first * order.tile_slots();
-        while (slot < place.first_tile * order.tile_slots()) {
-            const auto tile = std::uint32_t(slot / order.tile_slots());
+        look_up(machine, recorder_, first, place.first_tile, place.number, [&](std::uint32_t tile) {
             const std::uint32_t above = tile + columns;
-            const bool is_near = above + margin >= place.first_tile && above < place.end_tile + margin;
+            return above + margin >= place.first_tile && above < place.end_tile + margin;
+        });
+    }
+
+    /// Puts lines into the caches that the end of the previous frame has left there.
+    void warm_from_end(Machine& machine) {
+        OnDemandRecorder recorder(*w_.before);
+        const std::uint32_t tiles = w_.parts.order.tiles(), columns = w_.parts.order.columns(),
+                            near = 2 * w_.parts.lengths.part, back = std::max(near, columns + columns / 2);
+        look_up(machine, recorder, tiles - std::min(tiles, back), tiles, 0,
+                [&](std::uint32_t tile) { return tile + near >= tiles; });
+    }
+
+    /// Looks up the lines of some pixels of these tiles in the caches: of every fourth pixel of a tile that
+    /// is near, and of every 16th pixel of the others.
+    template <class IsNear> void look_up(Machine& machine, OnDemandRecorder& recorder, std::uint32_t first,
+                                         std::uint32_t end, std::uint32_t number, IsNear&& is_near) {
+        const SlotOrder& order = w_.parts.order;
+        Rng rng = w_.rng(2, number);
+        std::uint64_t slot = first * order.tile_slots();
+        while (slot < end * order.tile_slots()) {
+            const auto tile = std::uint32_t(slot / order.tile_slots());
             const SlotOrder::Pixel p = order.pixel(slot);
-            if (order.is_inside(p)) machine.warm(tile, recorder_.passing(p.x, p.y));
-            slot += 1 + below(rng, is_near ? 7 : 31);
+            if (order.is_inside(p)) machine.warm(tile, recorder.passing(p.x, p.y));
+            slot += 1 + below(rng, is_near(tile) ? 7 : 31);
         }
     }
 
@@ -255,17 +276,19 @@ std::uint32_t strata_of(const Frame& frame, const Config& config, double share) 
 }
 
 std::vector<Sampled> run(const Job& job, const std::vector<int>& khz, const Ask& ask, Traffic traffic,
-                         int threads, const Progress& progress) {
+                         int threads, const Progress& progress, const Frame* before) {
     const Stopwatch watch;
     const std::uint32_t wanted = strata_of(job.frame, job.config, ask.share);
-    const Plan w{job,
-                 parts_of(job.frame, job.config),
-                 {job.image, job.frame, job.config},
-                 ask.seed,
-                 wanted,
-                 traffic,
-                 threads,
-                 progress};
+    Plan w{job,
+           parts_of(job.frame, job.config),
+           {job.image, job.frame, job.config},
+           {},
+           ask.seed,
+           wanted,
+           traffic,
+           threads,
+           progress};
+    if (before) w.before.emplace(job.image, *before, job.config);
     const Coarse coarse = walk_single_pixels(w);
     Rng rng = w.rng(0, 0);
     const std::vector<Stratum> strata = draw(coarse.work, wanted, rng);
@@ -303,6 +326,11 @@ std::vector<Sampled> run(const Job& job, const std::vector<int>& khz, const Ask&
         sampled.emplace_back(khz[k], effort, strata, std::move(parts), numbers, coarse.works);
     }
     return sampled;
+}
+
+UploadTiming upload_timing(const Config& config, int khz, Traffic traffic, const Upload& upload) {
+    Machine machine(config, khz, traffic);
+    return prepare_frame(machine, 0, [&](std::size_t f) { return f == 0 ? &upload : nullptr; });
 }
 
 }   // namespace rayclock::sample

@@ -29,6 +29,7 @@ struct Effort {
     std::uint64_t replayed_pixels = 0;   ///< with warm-up and tail
     std::uint64_t single_pixels = 0;     ///< walked alone, for the auxiliary variable
     double seconds = 0;                  ///< of the host
+    Effort& operator+=(const Effort& other);
 };
 
 /// Kinds of work of a pixel's rays, independent of timing. Single pixels, spread over the frame, give
@@ -92,9 +93,14 @@ private:
     std::array<Auxiliary, work_kinds> works_;
 };
 
-/// Samples a job's frame at each clock. The result does not depend on the number of threads. Throws UserError
-/// if the frame is too small, and Interrupted after Ctrl-C.
+/// Samples a job's frame at each clock. The result does not depend on the number of threads. `before` is the
+/// frame before it in a film, if the caches keep its lines; its rays read lines of the job's image. Throws
+/// UserError if the frame is too small, and Interrupted after Ctrl-C.
 std::vector<Sampled> run(const Job& job, const std::vector<int>& khz, const Ask& ask, Traffic traffic = {},
-                         int threads = 0, const Progress& progress = {});
+                         int threads = 0, const Progress& progress = {}, const Frame* before = nullptr);
+
+/// Returns the cycles of the host's writes before a frame, and of the reset. All writes are simulated, on a
+/// machine without other work.
+UploadTiming upload_timing(const Config& config, int khz, Traffic traffic, const Upload& upload);
 
 }   // namespace rayclock::sample

@@ -22,6 +22,18 @@ template <class Value> PartValues by_stratum(const std::vector<Stratum>& strata,
 
 }   // namespace
 
+Effort& Effort::operator+=(const Effort& other) {
+    parts += other.parts;
+    measured += other.measured;
+    strata += other.strata;
+    pixels += other.pixels;
+    measured_pixels += other.measured_pixels;
+    replayed_pixels += other.replayed_pixels;
+    single_pixels += other.single_pixels;
+    seconds += other.seconds;
+    return *this;
+}
+
 Sampled::Sampled(int khz, Effort effort, std::vector<Stratum> strata, std::vector<Measured> parts,
                  std::vector<std::uint32_t> numbers, std::array<Auxiliary, work_kinds> coarse)
     : khz_(khz),
