@@ -35,7 +35,7 @@ struct Effort {
 /// Kinds of work of a pixel's rays, independent of timing. Single pixels, spread over the frame, give
 /// estimates of their totals.
 enum class Work : std::uint8_t {
-    least_cycles,   ///< the fewest cycles in which one pipeline can draw the pixel
+    expected_cycles,   ///< cycles of one pipeline for the pixel, in 64ths: see Pace
     visits,
     box_tests,
     triangle_tests,
@@ -44,9 +44,10 @@ enum class Work : std::uint8_t {
     reflection,
     refraction,
     primary_hits,
-    slots,   ///< places of tiles, also outside the picture; their total is exact
+    instances,   ///< visits of instances
+    slots,       ///< places of tiles, also outside the picture; their total is exact
 };
-constexpr std::size_t work_kinds = 10;
+constexpr std::size_t work_kinds = 11;
 using WorkCounts = std::array<std::uint64_t, work_kinds>;
 
 /// A figure of a frame or of a part. The figures of all parts sum to the figure of the frame.
@@ -70,10 +71,10 @@ public:
     const Effort& effort() const { return effort_; }
     Estimate work(Work kind) const { return sample::total(works_[std::size_t(kind)]); }
     /// Estimates a figure. `by` should be the kind of work to which the figure is most nearly proportional.
-    Estimate total(const Figure& figure, Work by = Work::least_cycles) const {
+    Estimate total(const Figure& figure, Work by = Work::expected_cycles) const {
         return sample::total(strata_, values(figure), works_[std::size_t(by)]);
     }
-    Estimate ratio(const Figure& above, const Figure& below, Work by = Work::least_cycles) const {
+    Estimate ratio(const Figure& above, const Figure& below, Work by = Work::expected_cycles) const {
         return sample::ratio(strata_, values(above), values(below), works_[std::size_t(by)]);
     }
     /// Estimates the cycles of a unit that have the cause with this code.

@@ -20,7 +20,7 @@ public:
     Figures(const Config& config, int khz, std::uint64_t waits)
         : config_(config), hertz_(khz * 1e3), waits_(double(waits)) {}
 
-    void add(const char* key, const char* unit, const Figure& figure, Work by = Work::least_cycles) {
+    void add(const char* key, const char* unit, const Figure& figure, Work by = Work::expected_cycles) {
         all.push_back({key, unit, [=](const Sampled& s) { return s.total(figure, by); },
                        [=](const FrameResult& f) { return figure(f); }});
     }
