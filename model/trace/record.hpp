@@ -68,6 +68,7 @@ private:
 
 struct RecordTotals {
     std::uint64_t visits = 0, box_tests = 0, triangle_tests = 0, dropped_groups = 0;
+    std::uint64_t instances = 0;   ///< visits of instances, in a chip with two levels
 };
 
 /// Memory that a thread reuses from block to block.

@@ -143,6 +143,7 @@ struct WordWriter {
         enters = walk.enters();
         line = walk.line();
         ++totals.visits;
+        totals.instances += enters;
         totals.box_tests += enters ? 0 : walk.node().children;
     }
     RAYCLOCK_INLINE void test(std::uint32_t half_line) { *word++ = half_line; }

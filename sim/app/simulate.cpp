@@ -19,7 +19,6 @@
 #include "sim/files/output.hpp"
 #include "sim/files/process/stopping.hpp"
 #include "sim/judge/cause/finished.hpp"
-#include "sim/run/film/choice.hpp"
 #include "sim/view/observe/replay.hpp"
 #include "sim/view/page/frame.hpp"
 #include "sim/view/page/run_page.hpp"
@@ -49,9 +48,10 @@ struct SimulateOptions {
 };
 
 void sample_options(Parser& parser, SampleChoice& choice) {
-    parser.option("--sample", choice.share,
-                  "simulate only this share of the frame, for example 2%, and estimate all figures with 95 % "
-                  "intervals; draws no picture");
+    parser.option(
+        "--sample", choice.share,
+        "simulate only this share of each frame, for example 2%, and estimate all figures with 95 % "
+        "intervals; draws no picture");
     parser.option("--error", choice.error,
                   "the same, with the share that estimates the cycles within +- this percentage, such as 1%");
     parser.option("--within", choice.within,
@@ -183,8 +183,8 @@ void check_sample_options(const SimulateOptions& o) {
     };
     refuse(o.stream.rays.has_value(), "--rays", "a stream of rays is simulated as a whole");
     refuse(o.engine != "model", "--engine", "the RTL draws whole frames only");
-    refuse(o.frames.is_given(), "--frames and its group",
-           "a sample covers one frame, at the scene's first moment");
+    refuse(o.frames.uploads == "double", "--uploads double",
+           "the host writes between sampled frames, and not during them");
     refuse(!o.report.empty(), "--report", "a sample draws no picture for the page");
     refuse(!o.output.empty(), "--output", "a sample draws no picture");
     refuse(o.limits.max_other || o.limits.max_depth_error || o.limits.min_psnr,
@@ -201,27 +201,21 @@ int run_simulate_sample(const SimulateOptions& o) {
     const Traffic traffic = traffic_of(o.traffic);
     o.json.check();
     const Progress progress = stopping(terminal_progress());
-    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress, view);
-    if (moves(request.scene))
-        throw UserError("--sample: " + printable(o.scene) + " moves, and a film is simulated as a whole");
+    Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress, view);
     const std::vector<int> clocks = clocks_of(o.clock, request.config);
-    const Camera camera = *request.scene.camera;
-    const Job job = make_job(request.scene, camera, size, request.config, progress, request.settings);
-    sample::Ask ask{0, o.traffic.seed};
-    const std::vector<sample::Sampled> sampled =
-        run_sample(job, clocks, o.sample, watch.seconds(), ask, traffic, o.threads, progress);
+    Film film(std::move(request), o.frames, o.view.is_given(), size, progress);
+    const SampledFilm sampled =
+        run_sample(film, clocks, o.sample, o.traffic.seed, traffic, o.threads, watch, progress);
+    const Config& config = film.job().config;
     if (!o.json.is_alone()) {
-        fmt::print("{}\n{}\n{}", heading(request.scene, size, job), sampled_table(job.config, sampled),
-                   sampled_lines(sampled[0].effort()));
-        fmt::print("  host: {:.2f} s, of which {:.2f} s for the sample\n", watch.seconds(),
-                   sampled[0].effort().seconds);
+        fmt::print(
+            "{}\n{}{}{}\n{}", heading(film.request().scene, size, film.job()),
+            sampled_table(config, clocks, sampled.frames), sampled_film_table(config, clocks, sampled.frames),
+            film_table(config, sampled.runs, sampled.strip, sampled.uploads), sampled_lines(sampled.frames));
+        fmt::print("  host: {:.2f} s, of which {:.2f} s for the sample\n", watch.seconds(), sampled.seconds);
     }
-    const std::string missed = shortfall(o.sample, sampled, watch.seconds());
-    if (!missed.empty()) print_ineffective({missed});
-    nlohmann::ordered_json json = sample_json(request, job, size, camera, ask, sampled);
-    json["sampling"]["shortfall"] =
-        missed.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(missed);
-    o.json.write(json);
+    if (!sampled.shortfall.empty()) print_ineffective({sampled.shortfall});
+    o.json.write(sample_json(film, size, o.frames.pan, clocks, sampled));
     return 0;
 }
 

@@ -34,23 +34,32 @@ Population population(std::uint64_t seed) {
     return p;
 }
 
+double total_of(const Population& p) {
+    double sum = 0;
+    for (const double y : p.y) sum += y;
+    return sum;
+}
+
+Estimate sample_of(const Population& p, std::uint64_t seed) {
+    Rng rng(seed);
+    const std::vector<Stratum> strata = draw(p.x, 12, rng);
+    PartValues y{p.y.front() + p.y.back(), {}};
+    Auxiliary x;
+    x.parts.certain = double(p.x.front() + p.x.back());
+    for (std::size_t i = 1; i + 1 < p.x.size(); ++i) x.total += double(p.x[i]);
+    for (const Stratum& stratum : strata) {
+        y.pairs.emplace_back(p.y[stratum.chosen[0]], p.y[stratum.chosen[1]]);
+        x.parts.pairs.emplace_back(double(p.x[stratum.chosen[0]]), double(p.x[stratum.chosen[1]]));
+    }
+    return total(strata, y, x);
+}
+
 /// Returns the share of intervals that hold the total, with half-widths times `factor`.
 double coverage(const Population& p, int samples, double factor) {
-    double truth = 0;
-    for (const double y : p.y) truth += y;
+    const double truth = total_of(p);
     int covered = 0;
     for (int s = 0; s < samples; ++s) {
-        Rng rng(std::uint64_t(s) + 1);
-        const std::vector<Stratum> strata = draw(p.x, 12, rng);
-        PartValues y{p.y.front() + p.y.back(), {}};
-        Auxiliary x;
-        x.parts.certain = double(p.x.front() + p.x.back());
-        for (std::size_t i = 1; i + 1 < p.x.size(); ++i) x.total += double(p.x[i]);
-        for (const Stratum& stratum : strata) {
-            y.pairs.emplace_back(p.y[stratum.chosen[0]], p.y[stratum.chosen[1]]);
-            x.parts.pairs.emplace_back(double(p.x[stratum.chosen[0]]), double(p.x[stratum.chosen[1]]));
-        }
-        const Estimate e = total(strata, y, x);
+        const Estimate e = sample_of(p, std::uint64_t(s) + 1);
         covered += std::fabs(e.value - truth) <= factor * e.half_width;
     }
     return double(covered) / samples;
@@ -127,4 +136,24 @@ TEST_CASE("95 % intervals hold the total of a population in 93 to 97 % of the sa
 
 TEST_CASE("intervals of half the width hold far less, so this test can fail") {
     REQUIRE(coverage(population(1), 400, 0.5) < 0.8);
+}
+
+TEST_CASE("95 % intervals of a mean hold the mean of five populations in 93 to 97 % of the samples") {
+    std::vector<Population> populations;
+    double truth = 0;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        populations.push_back(population(seed));
+        truth += total_of(populations.back()) / 5;
+    }
+    constexpr int samples = 1000;
+    int covered = 0;
+    for (int s = 0; s < samples; ++s) {
+        std::vector<Estimate> estimates;
+        for (std::size_t i = 0; i < 5; ++i)
+            estimates.push_back(sample_of(populations[i], std::uint64_t(5 * s) + i + 1));
+        const Estimate e = mean(estimates);
+        covered += std::fabs(e.value - truth) <= e.half_width;
+    }
+    CHECK(covered > 0.93 * samples);
+    CHECK(covered < 0.97 * samples);
 }

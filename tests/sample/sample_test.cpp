@@ -97,6 +97,46 @@ TEST_CASE("in the accounts of a sample the causes of a unit sum to the cycles") 
     }
 }
 
+TEST_CASE("samples of neighbouring parts read as many bytes as the frame") {
+    // More than half of the parts are measured. A tile that ran twice would find its own lines in the caches.
+    const Job job = job_of("gears:8", {320, 256});
+    const double exact = double(run_model(job).memory.reads);
+    constexpr int seeds = 12;
+    double sum = 0;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        const auto sampled = sample::run(job, {khz}, {0, seed});
+        sum += sampled[0].total([](const FrameTiming& t) { return double(t.memory.reads); }).value;
+    }
+    INFO("mean " << sum / seeds << ", exact " << exact);
+    CHECK(std::fabs(sum / seeds / exact - 1) < 0.03);
+}
+
+TEST_CASE("the expected cycles of parts follow instances, latencies and contexts") {
+    const auto width = [](const Job& job) {
+        double sum = 0;
+        for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+            const auto sampled = sample::run(job, {khz}, {0, seed});
+            sum += sampled[0].total([](const FrameTiming& t) { return double(t.cycles); }).relative();
+        }
+        return sum / 6;
+    };
+    Config two_levels = named_config("default"), few_contexts = named_config("small");
+    set_parameter(two_levels, "levels", "2", "");
+    set_parameter(few_contexts, "dram", "sdr", "");
+    CHECK(width(job_of("gearbox:4", {320, 256}, two_levels)) < 0.012);
+    CHECK(width(job_of("gears:4", {320, 256}, few_contexts)) < 0.03);
+}
+
+TEST_CASE("a sample counts visits of instances, so the work of xform has a narrow interval") {
+    Config config = named_config("default");
+    set_parameter(config, "levels", "2", "");
+    const Job job = job_of("gearbox:4", {320, 256}, config);
+    const double exact = double(run_model(job).accounts.units[index(Unit::xform)][0]);
+    const sample::Estimate e = sample::run(job, {khz}, {0, 1})[0].account(config, Unit::xform, 0);
+    CHECK(e.relative() < 0.02);
+    CHECK(std::fabs(e.value / exact - 1) < 0.03);
+}
+
 TEST_CASE("a frame that is too small is refused") {
     REQUIRE_THROWS_WITH(sample::strata_of(job_of("tetra:1", {64, 48}).frame, named_config("default"), 0.05),
                         Catch::Contains("too few for a sample"));

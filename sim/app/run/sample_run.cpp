@@ -35,17 +35,6 @@ double parse_seconds(const std::string& typed) {
 /// Returns the requested share; 0 is the smallest sample.
 double share_of(const SampleChoice& choice) { return choice.share ? parse_share(*choice.share) : 0; }
 
-sample::Estimate cycles_of(const sample::Sampled& sampled) {
-    return sampled.total([](const FrameTiming& t) { return double(t.cycles); });
-}
-
-/// Returns the widest relative interval of the cycles.
-double widest_of(const std::vector<sample::Sampled>& clocks) {
-    double widest = 0;
-    for (const sample::Sampled& s : clocks) widest = std::max(widest, cycles_of(s).relative());
-    return widest;
-}
-
 }   // namespace
 
 double parse_share(const std::string& typed) {
@@ -66,35 +55,109 @@ void check_sample(const SampleChoice& choice) {
     if (choice.within) parse_seconds(*choice.within);
 }
 
-std::vector<sample::Sampled> run_sample(const Job& job, const std::vector<int>& clocks,
-                                        const SampleChoice& choice, double seconds_gone, sample::Ask& ask,
-                                        Traffic traffic, int threads, const Progress& progress) {
-    const Stopwatch watch;
-    ask.share = share_of(choice);
-    std::vector<sample::Sampled> sampled = sample::run(job, clocks, ask, traffic, threads, progress);
-    if (choice.share) return sampled;
-    const sample::Effort& pilot = sampled[0].effort();
-    double factor = 1;
-    if (choice.error) {
-        factor = 1.2 * std::pow(100 * widest_of(sampled) / parse_percent("--error", *choice.error, false), 2);
-    } else {
-        factor = 0.8 * (parse_seconds(*choice.within) - seconds_gone - watch.seconds()) / pilot.seconds;
+namespace {
+
+/// A sample of the film's current frame at all clocks.
+struct FrameSample {
+    SampledFrame frame;
+    std::vector<FrameResult> results;   ///< [clock]
+};
+
+class FrameSampler {
+public:
+    FrameSampler(const Film& film, const std::vector<int>& clocks, Traffic traffic, int threads)
+        : film_(film), clocks_(clocks), traffic_(traffic), threads_(threads) {}
+
+    FrameSample run(const sample::Ask& ask, const Upload& upload, const Frame* before,
+                    const Progress& progress) const {
+        const Job& job = film_.job();
+        FrameSample s;
+        s.frame.ask = ask;
+        for (const sample::Sampled& sampled :
+             sample::run(job, clocks_, ask, traffic_, threads_, progress, before)) {
+            UploadTiming waits;
+            if (film_.moves()) waits = sample::upload_timing(job.config, sampled.khz(), traffic_, upload);
+            s.frame.effort = sampled.effort();
+            s.results.push_back(sampled.frame(job.config));
+            s.results.back().upload = waits;
+            s.frame.estimates.emplace_back();
+            for (const SampledFigure& figure :
+                 sampled_figures(job.config, sampled.khz(), waits.cycles + waits.reset))
+                s.frame.estimates.back().push_back(figure.estimate(sampled));
+        }
+        return s;
     }
-    ask.share = std::min(sample::max_share, 2.0 * pilot.strata / pilot.parts * std::max(1.0, factor));
-    if (factor <= 1 || sample::strata_of(job.frame, job.config, ask.share) == pilot.strata) return sampled;
-    // A sample of another size draws its parts independently of the first one, whose random error decided the
-    // size.
-    return sample::run(job, clocks, ask, traffic, threads, progress);
+
+private:
+    const Film& film_;
+    const std::vector<int>& clocks_;
+    Traffic traffic_;
+    int threads_;
+};
+
+/// Returns how many times the parts of a small sample are needed, or affordable.
+double factor_of(const SampleChoice& choice, const SampledFrame& pilot, double seconds_gone) {
+    if (choice.error)
+        return 1.2 * std::pow(100 * widest_of(pilot) / parse_percent("--error", *choice.error, false), 2);
+    return 0.8 * (parse_seconds(*choice.within) - seconds_gone) / pilot.effort.seconds;
 }
 
-std::string shortfall(const SampleChoice& choice, const std::vector<sample::Sampled>& clocks,
-                      double seconds) {
-    if (choice.error && 100 * widest_of(clocks) > parse_percent("--error", *choice.error, false))
-        return fmt::format("--error {}: the interval of the cycles is +-{:.2f} %", *choice.error,
-                           100 * widest_of(clocks));
+std::string shortfall(const SampleChoice& choice, const std::vector<SampledFrame>& frames, double seconds) {
+    for (std::size_t f = 0; f < frames.size(); ++f) {
+        const double widest = 100 * widest_of(frames[f]);
+        if (choice.error && widest > parse_percent("--error", *choice.error, false))
+            return fmt::format("--error {}: the interval of the cycles is +-{:.2f} %{}", *choice.error,
+                               widest, frames.size() > 1 ? fmt::format(" in frame {}", f + 1) : "");
+    }
     if (choice.within && seconds > parse_seconds(*choice.within))
         return fmt::format("--within {}: the sample took {:.2f} s", *choice.within, seconds);
     return {};
+}
+
+}   // namespace
+
+SampledFilm run_sample(Film& film, const std::vector<int>& clocks, const SampleChoice& choice,
+                       std::uint64_t seed, Traffic traffic, int threads, const Stopwatch& watch,
+                       const Progress& progress) {
+    if (choice.within && film.frames() > 1)
+        throw UserError("--within gives the time for one frame; for a film give --sample or --error");
+    SampledFilm all;
+    all.strip.moves = film.moves();
+    all.strip.fps = film.times().fps;
+    all.strip.times = film.times().times;
+    for (const int khz : clocks) all.runs.push_back({khz, {}});
+    const FrameSampler sampler(film, clocks, traffic, threads);
+    for (std::size_t f = 0; f < film.frames(); ++f) {
+        const Frame previous = film.job().frame;
+        film.next();
+        Upload upload = film.take_upload();
+        const Frame* const before = f > 0 && !upload.resets ? &previous : nullptr;
+        const Stopwatch frame_watch;
+        const Progress of_film = [&](std::string_view what, std::uint64_t done, std::uint64_t total) {
+            progress(what, f * total + done, film.frames() * total);
+        };
+        sample::Ask ask{share_of(choice), seed + f};
+        FrameSample s = sampler.run(ask, upload, before, of_film);
+        if (!choice.share) {
+            const double factor = factor_of(choice, s.frame, watch.seconds());
+            const sample::Effort& pilot = s.frame.effort;
+            ask.share = std::min(sample::max_share, 2.0 * pilot.strata / pilot.parts * std::max(1.0, factor));
+            s.frame.ask.share = ask.share;
+            // A sample of another size draws its parts independently of the first one, whose random error
+            // decided the size.
+            if (factor > 1 &&
+                sample::strata_of(film.job().frame, film.job().config, ask.share) != pilot.strata)
+                s = sampler.run(ask, upload, before, of_film);
+        }
+        s.frame.time = all.strip.times[f];
+        for (std::size_t k = 0; k < clocks.size(); ++k) all.runs[k].frames.push_back(std::move(s.results[k]));
+        all.frames.push_back(std::move(s.frame));
+        upload.lines = {}, upload.words = {};
+        all.uploads.push_back({film.job().frame, {}, std::move(upload)});
+        all.seconds += frame_watch.seconds();
+    }
+    all.shortfall = shortfall(choice, all.frames, watch.seconds());
+    return all;
 }
 
 namespace {
@@ -109,50 +172,50 @@ void leave_out_waits(nlohmann::ordered_json& memory) {
 
 }   // namespace
 
-nlohmann::ordered_json sample_json(const Request& request, const Job& job, FrameSize size,
-                                   const Camera& camera, const sample::Ask& ask,
-                                   const std::vector<sample::Sampled>& sampled) {
-    const Config& config = request.config;
-    nlohmann::ordered_json clocks = nlohmann::ordered_json::array();
-    FrameResult first;
-    double cycles = 0;
-    for (const sample::Sampled& s : sampled) {
-        FramesAtClock run{s.khz(), {s.frame(config)}};
-        clocks.push_back(clock_json(config, run));
-        leave_out_waits(clocks.back()["memory"]);
-        mark_clock(clocks.back(), config, run.khz);
-        cycles += double(run.last().cycles);
-        if (clocks.size() == 1) first = run.last();
+nlohmann::ordered_json sample_json(Film& film, FrameSize size, double pan, const std::vector<int>& clocks,
+                                   const SampledFilm& sampled) {
+    const Job& job = film.job();
+    const Config& config = job.config;
+    const FrameResult& frame = sampled.runs[0].last();
+    nlohmann::ordered_json runs = nlohmann::ordered_json::array();
+    double cycles = 0, rays = 0;
+    for (const FramesAtClock& run : sampled.runs) {
+        runs.push_back(clock_json(config, run));
+        leave_out_waits(runs.back()["memory"]);
+        mark_clock(runs.back(), config, run.khz);
+        for (const FrameResult& f : run.frames) cycles += double(f.cycles), rays += rays_of(f);
     }
-    nlohmann::ordered_json memory = memory_json(config, sampled[0].khz(), first);
+    nlohmann::ordered_json memory = memory_json(config, clocks[0], frame);
     leave_out_waits(memory);
-    const double seconds = sampled[0].effort().seconds;
-    return {{"scene", scene_json(request.scene)},
+    nlohmann::ordered_json sampling = sampling_json(config, clocks, sampled.frames, film.moves());
+    sampling["shortfall"] =
+        sampled.shortfall.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(sampled.shortfall);
+    return {{"scene", scene_json(film.request().scene)},
             {"config", config_json_object(config)},
             {"frame", {{"width", size.width}, {"height", size.height}}},
-            {"camera", camera_json(camera)},
-            {"frames", 1},
-            {"pan", 0},
-            {"film", nullptr},
+            {"camera", camera_json(film.camera())},
+            {"frames", film.frames()},
+            {"pan", pan},
+            {"film", film_json(config, sampled.runs, sampled.strip, sampled.uploads)},
             {"engine", "model"},
             {"partial", false},
-            {"sampling", sampling_json(config, ask, sampled)},
+            {"sampling", sampling},
             {"compile", compile_json(job.image.report)},
-            {"rays", rays_json(first.rays)},
-            {"work", work_json(first)},
+            {"rays", rays_json(frame.rays)},
+            {"work", work_json(frame)},
             {"work_by_kind", nullptr},
-            {"clocks", clocks},
-            {"units", units_json(config, first)},
+            {"clocks", runs},
+            {"units", units_json(config, frame)},
             {"memory", memory},
             {"error", nullptr},
             {"limits", nullptr},
             {"judge", nullptr},
             {"host",
-             {{"seconds", seconds},
+             {{"seconds", sampled.seconds},
               {"record_seconds", 0},
               {"judge_seconds", 0},
-              {"cycles_per_second", cycles / seconds},
-              {"rays_per_second", rays_of(first) * double(sampled.size()) / seconds}}},
+              {"cycles_per_second", cycles / sampled.seconds},
+              {"rays_per_second", rays / sampled.seconds}}},
             {"digest", nullptr}};
 }
 

@@ -43,7 +43,14 @@ double expanded(const std::vector<Stratum>& strata, const PartValues& y) {
     return sum;
 }
 
-double half_width(const std::vector<Stratum>& strata, const PartValues& y, const Auxiliary& x) {
+/// Returns an estimate with this error.
+Estimate with_error(double value, double variance, double degrees) {
+    return {value, variance == 0 ? 0 : student_975(degrees) * std::sqrt(variance), variance, degrees};
+}
+
+/// Returns the estimate `value` of the total of y.
+Estimate estimated(double value, const std::vector<Stratum>& strata, const PartValues& y,
+                   const Auxiliary& x) {
     const double of_parts = expanded(strata, x.parts);
     const double ratio = of_parts > 0 ? expanded(strata, y) / of_parts : 0,
                  scale = of_parts > 0 ? x.total / of_parts : 1;
@@ -57,22 +64,24 @@ double half_width(const std::vector<Stratum>& strata, const PartValues& y, const
         squares += part * part;
     }
     const double of_pixels = ratio * ratio * x.variance;   // of the total of x, from many single pixels
-    if (variance + of_pixels == 0) return 0;
+    if (variance + of_pixels == 0) return {value};
     // Satterthwaite's degrees of freedom, for residuals with heavy tails: docs/guide/sampling.md.
     const double count = double(strata.size()),
                  degrees =
                      squares == 0 ? count : std::clamp(2 * variance * variance / squares - 1, 1.0, count),
                  both = std::pow((variance + of_pixels) / std::max(variance, of_pixels / 1e6), 2);
-    return student_975(degrees * both) * std::sqrt(variance + of_pixels);
+    return with_error(value, variance + of_pixels, degrees * both);
 }
 
 }   // namespace
 
-Estimate total(const Auxiliary& x) { return {x.parts.certain + x.total, normal_975 * std::sqrt(x.variance)}; }
+Estimate total(const Auxiliary& x) {
+    return with_error(x.parts.certain + x.total, x.variance, Estimate::many);
+}
 
 Estimate total(const std::vector<Stratum>& strata, const PartValues& y, const Auxiliary& x) {
     const double of_parts = expanded(strata, x.parts), scale = of_parts > 0 ? x.total / of_parts : 1;
-    return {y.certain + expanded(strata, y) * scale, half_width(strata, y, x)};
+    return estimated(y.certain + expanded(strata, y) * scale, strata, y, x);
 }
 
 Estimate ratio(const std::vector<Stratum>& strata, const PartValues& above, const PartValues& below,
@@ -84,7 +93,19 @@ Estimate ratio(const std::vector<Stratum>& strata, const PartValues& above, cons
     for (std::size_t s = 0; s < above.pairs.size(); ++s)
         residual.pairs.emplace_back(above.pairs[s].first - value * below.pairs[s].first,
                                     above.pairs[s].second - value * below.pairs[s].second);
-    return {value, half_width(strata, residual, x) / whole};
+    const Estimate error = estimated(0, strata, residual, x).times(1 / whole);
+    return {value, error.half_width, error.variance, error.degrees};
+}
+
+Estimate mean(const std::vector<Estimate>& estimates) {
+    double sum = 0, variance = 0, squares = 0;
+    for (const Estimate& e : estimates) {
+        sum += e.value;
+        variance += e.variance;
+        squares += e.variance * e.variance / e.degrees;
+    }
+    const double degrees = squares == 0 ? Estimate::many : variance * variance / squares;
+    return with_error(sum, variance, degrees).times(1 / double(estimates.size()));
 }
 
 }   // namespace rayclock::sample

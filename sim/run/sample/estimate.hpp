@@ -11,6 +11,11 @@ namespace rayclock::sample {
 /// An estimate and the half-width of its 95 % confidence interval.
 struct Estimate {
     double value = 0, half_width = 0;
+    double variance = 0, degrees = many;   ///< of which the half-width is made
+    static constexpr double many = 1e9;    ///< degrees of freedom of a normal distribution
+    Estimate times(double factor) const {
+        return {value * factor, half_width * factor, variance * factor * factor, degrees};
+    }
     double relative() const { return value == 0 ? 0 : half_width / value; }
 };
 
@@ -34,6 +39,8 @@ struct Auxiliary {
 Estimate total(const Auxiliary& x);
 /// The combined ratio estimator: the figure per x in the strata, times the total of x.
 Estimate total(const std::vector<Stratum>& strata, const PartValues& y, const Auxiliary& x);
+/// Returns the mean of independent estimates, such as those of the frames of a film.
+Estimate mean(const std::vector<Estimate>& estimates);
 /// Estimates the ratio of two totals. Its error is smaller than theirs, since they vary together.
 Estimate ratio(const std::vector<Stratum>& strata, const PartValues& above, const PartValues& below,
                const Auxiliary& x);

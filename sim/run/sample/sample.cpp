@@ -10,6 +10,7 @@
 
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
+#include "model/engine/engines.hpp"
 #include "model/machine/machine.hpp"
 #include "model/machine/stuck_rays.hpp"
 #include "model/trace/on_demand.hpp"
@@ -20,33 +21,62 @@ namespace rayclock::sample {
 
 namespace {
 
-/// Returns the work of a pixel.
-WorkCounts counts_of(const PixelWork& work, const Config& config) {
-    const std::uint64_t least =
-        std::max({work.steps.visits * std::uint64_t(config.box_interval()),
-                  work.steps.triangle_tests * std::uint64_t(config.tri_interval),
-                  work.rays.all() * std::uint64_t(config.raygen_interval), std::uint64_t(1)});
-    return {least,
-            work.steps.visits,
-            work.steps.box_tests,
-            work.steps.triangle_tests,
-            work.rays.primary,
-            work.rays.shadow,
-            work.rays.reflection,
-            work.rays.refraction,
-            work.rays.primary_hits,
-            1};
-}
-/// The work of a slot outside the picture: sched takes a cycle for it.
-constexpr WorkCounts outside = [] {
-    WorkCounts counts{};
-    counts[std::size_t(Work::least_cycles)] = counts[std::size_t(Work::slots)] = 1;
-    return counts;
-}();
+/// Estimates the cycles that one pipeline needs for a pixel, from its work alone: the largest of several
+/// lower bounds. Parts of a frame need nearly the same multiple of it.
+class Pace {
+public:
+    explicit Pace(const Config& config)
+        : contexts_(std::uint64_t(config.contexts)),
+          visit_(std::uint64_t(config.box_interval())),
+          test_(std::uint64_t(config.tri_interval)),
+          ray_(std::uint64_t(config.raygen_interval)),
+          instance_(std::uint64_t(config.xform_interval) - 1),
+          visit_latency_(std::uint64_t(node_latency(config)) + around_unit),
+          test_latency_(std::uint64_t(config.tri_latency()) + around_unit),
+          ray_latency_(std::uint64_t(config.raygen_latency()) + around_unit +
+                       (config.has_shade() ? std::uint64_t(config.shade_latency()) : 0)) {}
+
+    WorkCounts of(const PixelWork& work) const {
+        const RecordTotals& steps = work.steps;
+        const std::uint64_t rays = work.rays.all();
+        const std::uint64_t cycles =
+            std::max({unit * steps.visits * visit_ + unit * steps.instances * instance_ / 2,
+                      unit * steps.triangle_tests * test_, unit * rays * ray_,
+                      unit *
+                          (steps.visits * visit_latency_ + steps.triangle_tests * test_latency_ +
+                           rays * ray_latency_) /
+                          contexts_,
+                      unit});
+        return {cycles,
+                steps.visits,
+                steps.box_tests,
+                steps.triangle_tests,
+                work.rays.primary,
+                work.rays.shadow,
+                work.rays.reflection,
+                work.rays.refraction,
+                work.rays.primary_hits,
+                steps.instances,
+                1};
+    }
+    /// The work of a slot outside the picture: sched takes a cycle for it.
+    static WorkCounts outside() {
+        WorkCounts counts{};
+        counts[std::size_t(Work::expected_cycles)] = unit;
+        counts[std::size_t(Work::slots)] = 1;
+        return counts;
+    }
+
+private:
+    static constexpr std::uint64_t unit = 64;   ///< of a cycle
+    /// Cycles that a request and its answer spend in queues and caches, apart from the unit.
+    static constexpr std::uint64_t around_unit = 6;
+    std::uint64_t contexts_, visit_, test_, ray_, instance_, visit_latency_, test_latency_, ray_latency_;
+};
 
 /// The first phase: x of two single pixels in each block of slots.
 struct Coarse {
-    std::vector<std::uint64_t> work;   ///< [part]: the least cycles of these pixels
+    std::vector<std::uint64_t> work;   ///< [part]: the expected cycles of these pixels
     std::array<Auxiliary, work_kinds> works;
     std::uint64_t pixels = 0;
 };
@@ -55,7 +85,9 @@ struct Coarse {
 struct Plan {
     const Job& job;
     Parts parts;
+    Pace pace;
     OnDemandJob shared;
+    std::optional<OnDemandJob> before;   ///< the previous frame of a film, whose lines are in the caches
     std::uint64_t seed;
     std::uint32_t strata;   ///< samples of different size have independent random numbers
     Traffic traffic;
@@ -95,11 +127,11 @@ Coarse walk_single_pixels(const Plan& w) {
                 const std::uint64_t size = std::min(block, end - at), a = below(rng, size),
                                     b = size > 1 ? below(rng, size - 1) : 0;
                 const std::uint64_t slots[2] = {at + a, size > 1 ? at + (b < a ? b : b + 1) : at};
-                WorkCounts counts[2] = {outside, outside};
+                WorkCounts counts[2] = {Pace::outside(), Pace::outside()};
                 for (int i = 0; i < 2; ++i) {
                     const SlotOrder::Pixel p = order.pixel(slots[i]);
                     if (!order.is_inside(p)) continue;
-                    counts[i] = counts_of(recorder.walk(p.x, p.y), w.job.config);
+                    counts[i] = w.pace.of(recorder.walk(p.x, p.y));
                     ++sum.pixels;
                 }
                 coarse.work[part] += counts[0][0] + counts[1][0];
@@ -134,7 +166,10 @@ public:
     /// Replays all parts at one clock.
     std::vector<Sampled::Measured> replay(int khz) {
         Machine machine(w_.job.config, khz, w_.traffic);
-        if (places_.front().number > 0) warm(machine, 0);
+        if (places_.front().number > 0)
+            warm(machine, 0);
+        else if (w_.before)
+            warm_from_end(machine);
         std::vector<Stretch> stretches;
         for (const Place& place : places_) stretches.push_back(place.stretch);
         machine.start(w_.job.frame, recorder_.trace(), std::move(stretches), pixels_);
@@ -164,30 +199,35 @@ private:
         std::uint64_t begin = 0, end = 0;   ///< pixels that the machine has finished when it is measured
     };
 
-    /// Adds a part. At the end of a chain dispatch needs tiles for the queues of sched, as in a whole frame.
+    /// Adds a part. If its warm-up would begin before the end of the last tail, the tiles of the frame
+    /// continue there instead: a tile that runs twice would find its own lines in the caches. At the end of a
+    /// chain dispatch needs tiles for the queues of sched, as in a whole frame.
     void add(std::uint32_t number, bool ends_chain) {
         const Parts& u = w_.parts;
+        const SlotOrder& order = u.order;
         const bool is_first = number == 0, is_last = number + 1 == u.count;
         const std::uint32_t part = u.first_tile(number),
-                            first = is_first ? 0 : part - std::min(part, u.lengths.warm_up),
+                            last_end = places_.empty() ? 0 : places_.back().end_tile,
+                            first =
+                                is_first ? 0 : std::max(last_end, part - std::min(part, u.lengths.warm_up)),
                             ahead = ends_chain ? 3 * std::uint32_t(w_.job.config.pipelines) : 0,
-                            end = is_last ? u.order.tiles()
-                                          : std::min(u.order.tiles(),
-                                                     u.end_tile(number) + u.lengths.tail + ahead);
-        const auto pixels = [&](std::uint32_t to) {
-            return u.order.pixels_before(to) - u.order.pixels_before(first);
+                            end = is_last
+                                      ? order.tiles()
+                                      : std::min(order.tiles(), u.end_tile(number) + u.lengths.tail + ahead);
+        // Pixels of the chain before a tile. The part may begin in the last tail, before `first`.
+        const auto pixels_before = [&](std::uint32_t tile) {
+            return pixels_ + order.pixels_before(tile) - order.pixels_before(first);
         };
         places_.push_back({number,
                            first,
                            end,
-                           {u.order.tile(first), end - first},
-                           pixels_ + pixels(part),
-                           pixels_ + pixels(u.end_tile(number))});
-        pixels_ += pixels(end);
+                           {order.tile(first), end - first},
+                           pixels_before(part),
+                           pixels_before(u.end_tile(number))});
+        pixels_ = pixels_before(end);
     }
 
-    /// Puts lines into the caches that the row of tiles before a place would have left there. On average it
-    /// walks every fourth pixel above the place and every 16th pixel elsewhere.
+    /// Puts lines into the caches that the row of tiles before a place would have left there.
     void warm(Machine& machine, std::size_t i) {
         const SlotOrder& order = w_.parts.order;
         const Place& place = places_[i];
@@ -197,15 +237,33 @@ private:
                             after = i > 0 ? places_[i - 1].end_tile : 0,
                             first = std::max(place.first_tile - std::min(place.first_tile, back),
                                              std::min(after, place.first_tile));
-        Rng rng = w_.rng(2, place.number);
-        std::uint64_t slot = first * order.tile_slots();
-        while (slot < place.first_tile * order.tile_slots()) {
-            const auto tile = std::uint32_t(slot / order.tile_slots());
+        look_up(machine, recorder_, first, place.first_tile, place.number, [&](std::uint32_t tile) {
             const std::uint32_t above = tile + columns;
-            const bool is_near = above + margin >= place.first_tile && above < place.end_tile + margin;
+            return above + margin >= place.first_tile && above < place.end_tile + margin;
+        });
+    }
+
+    /// Puts lines into the caches that the end of the previous frame has left there.
+    void warm_from_end(Machine& machine) {
+        OnDemandRecorder recorder(*w_.before);
+        const std::uint32_t tiles = w_.parts.order.tiles(), columns = w_.parts.order.columns(),
+                            near = 2 * w_.parts.lengths.part, back = std::max(near, columns + columns / 2);
+        look_up(machine, recorder, tiles - std::min(tiles, back), tiles, 0,
+                [&](std::uint32_t tile) { return tile + near >= tiles; });
+    }
+
+    /// Looks up the lines of some pixels of these tiles in the caches: of every second pixel of a tile that
+    /// is near, and of every eighth pixel of the others.
+    template <class IsNear> void look_up(Machine& machine, OnDemandRecorder& recorder, std::uint32_t first,
+                                         std::uint32_t end, std::uint32_t number, IsNear&& is_near) {
+        const SlotOrder& order = w_.parts.order;
+        Rng rng = w_.rng(2, number);
+        std::uint64_t slot = first * order.tile_slots();
+        while (slot < end * order.tile_slots()) {
+            const auto tile = std::uint32_t(slot / order.tile_slots());
             const SlotOrder::Pixel p = order.pixel(slot);
-            if (order.is_inside(p)) machine.warm(tile, recorder_.passing(p.x, p.y));
-            slot += 1 + below(rng, is_near ? 7 : 31);
+            if (order.is_inside(p)) machine.warm(tile, recorder.passing(p.x, p.y));
+            slot += 1 + below(rng, is_near(tile) ? 3 : 15);
         }
     }
 
@@ -226,8 +284,7 @@ private:
         for (std::uint64_t slot = w_.parts.first_tile(number) * order.tile_slots(); slot < end; ++slot) {
             const SlotOrder::Pixel p = order.pixel(slot);
             const bool is_inside = order.is_inside(p);
-            const WorkCounts counts =
-                is_inside ? counts_of(recorder_.work(p.x, p.y), w_.job.config) : outside;
+            const WorkCounts counts = is_inside ? w_.pace.of(recorder_.work(p.x, p.y)) : Pace::outside();
             for (std::size_t k = 0; k < work_kinds; ++k) part.work[k] += counts[k];
             part.timing.pixels += is_inside;
         }
@@ -255,17 +312,20 @@ std::uint32_t strata_of(const Frame& frame, const Config& config, double share) 
 }
 
 std::vector<Sampled> run(const Job& job, const std::vector<int>& khz, const Ask& ask, Traffic traffic,
-                         int threads, const Progress& progress) {
+                         int threads, const Progress& progress, const Frame* before) {
     const Stopwatch watch;
     const std::uint32_t wanted = strata_of(job.frame, job.config, ask.share);
-    const Plan w{job,
-                 parts_of(job.frame, job.config),
-                 {job.image, job.frame, job.config},
-                 ask.seed,
-                 wanted,
-                 traffic,
-                 threads,
-                 progress};
+    Plan w{job,
+           parts_of(job.frame, job.config),
+           Pace(job.config),
+           {job.image, job.frame, job.config},
+           {},
+           ask.seed,
+           wanted,
+           traffic,
+           threads,
+           progress};
+    if (before) w.before.emplace(job.image, *before, job.config);
     const Coarse coarse = walk_single_pixels(w);
     Rng rng = w.rng(0, 0);
     const std::vector<Stratum> strata = draw(coarse.work, wanted, rng);
@@ -303,6 +363,11 @@ std::vector<Sampled> run(const Job& job, const std::vector<int>& khz, const Ask&
         sampled.emplace_back(khz[k], effort, strata, std::move(parts), numbers, coarse.works);
     }
     return sampled;
+}
+
+UploadTiming upload_timing(const Config& config, int khz, Traffic traffic, const Upload& upload) {
+    Machine machine(config, khz, traffic);
+    return prepare_frame(machine, 0, [&](std::size_t f) { return f == 0 ? &upload : nullptr; });
 }
 
 }   // namespace rayclock::sample

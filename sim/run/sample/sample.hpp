@@ -29,12 +29,13 @@ struct Effort {
     std::uint64_t replayed_pixels = 0;   ///< with warm-up and tail
     std::uint64_t single_pixels = 0;     ///< walked alone, for the auxiliary variable
     double seconds = 0;                  ///< of the host
+    Effort& operator+=(const Effort& other);
 };
 
 /// Kinds of work of a pixel's rays, independent of timing. Single pixels, spread over the frame, give
 /// estimates of their totals.
 enum class Work : std::uint8_t {
-    least_cycles,   ///< the fewest cycles in which one pipeline can draw the pixel
+    expected_cycles,   ///< cycles of one pipeline for the pixel, in 64ths: see Pace
     visits,
     box_tests,
     triangle_tests,
@@ -43,9 +44,10 @@ enum class Work : std::uint8_t {
     reflection,
     refraction,
     primary_hits,
-    slots,   ///< places of tiles, also outside the picture; their total is exact
+    instances,   ///< visits of instances
+    slots,       ///< places of tiles, also outside the picture; their total is exact
 };
-constexpr std::size_t work_kinds = 10;
+constexpr std::size_t work_kinds = 11;
 using WorkCounts = std::array<std::uint64_t, work_kinds>;
 
 /// A figure of a frame or of a part. The figures of all parts sum to the figure of the frame.
@@ -69,10 +71,10 @@ public:
     const Effort& effort() const { return effort_; }
     Estimate work(Work kind) const { return sample::total(works_[std::size_t(kind)]); }
     /// Estimates a figure. `by` should be the kind of work to which the figure is most nearly proportional.
-    Estimate total(const Figure& figure, Work by = Work::least_cycles) const {
+    Estimate total(const Figure& figure, Work by = Work::expected_cycles) const {
         return sample::total(strata_, values(figure), works_[std::size_t(by)]);
     }
-    Estimate ratio(const Figure& above, const Figure& below, Work by = Work::least_cycles) const {
+    Estimate ratio(const Figure& above, const Figure& below, Work by = Work::expected_cycles) const {
         return sample::ratio(strata_, values(above), values(below), works_[std::size_t(by)]);
     }
     /// Estimates the cycles of a unit that have the cause with this code.
@@ -92,9 +94,14 @@ private:
     std::array<Auxiliary, work_kinds> works_;
 };
 
-/// Samples a job's frame at each clock. The result does not depend on the number of threads. Throws UserError
-/// if the frame is too small, and Interrupted after Ctrl-C.
+/// Samples a job's frame at each clock. The result does not depend on the number of threads. `before` is the
+/// frame before it in a film, if the caches keep its lines; its rays read lines of the job's image. Throws
+/// UserError if the frame is too small, and Interrupted after Ctrl-C.
 std::vector<Sampled> run(const Job& job, const std::vector<int>& khz, const Ask& ask, Traffic traffic = {},
-                         int threads = 0, const Progress& progress = {});
+                         int threads = 0, const Progress& progress = {}, const Frame* before = nullptr);
+
+/// Returns the cycles of the host's writes before a frame, and of the reset. All writes are simulated, on a
+/// machine without other work.
+UploadTiming upload_timing(const Config& config, int khz, Traffic traffic, const Upload& upload);
 
 }   // namespace rayclock::sample

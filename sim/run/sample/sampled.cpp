@@ -22,6 +22,18 @@ template <class Value> PartValues by_stratum(const std::vector<Stratum>& strata,
 
 }   // namespace
 
+Effort& Effort::operator+=(const Effort& other) {
+    parts += other.parts;
+    measured += other.measured;
+    strata += other.strata;
+    pixels += other.pixels;
+    measured_pixels += other.measured_pixels;
+    replayed_pixels += other.replayed_pixels;
+    single_pixels += other.single_pixels;
+    seconds += other.seconds;
+    return *this;
+}
+
 Sampled::Sampled(int khz, Effort effort, std::vector<Stratum> strata, std::vector<Measured> parts,
                  std::vector<std::uint32_t> numbers, std::array<Auxiliary, work_kinds> coarse)
     : khz_(khz),
@@ -41,11 +53,12 @@ PartValues Sampled::values(const Figure& figure) const {
 
 Work work_of(Unit unit) {
     if (unit == Unit::sched) return Work::primary;
+    if (unit == Unit::xform) return Work::instances;
     if (place_of(unit_infos[index(unit)].name) == UnitPlace::engine || unit == Unit::node_cache ||
         unit == Unit::trav)
         return Work::visits;
     return unit == Unit::prim_cache || unit == Unit::tri || unit == Unit::list ? Work::triangle_tests
-                                                                               : Work::least_cycles;
+                                                                               : Work::expected_cycles;
 }
 
 Estimate Sampled::account(const Config& config, Unit unit, std::size_t code) const {
@@ -53,7 +66,7 @@ Estimate Sampled::account(const Config& config, Unit unit, std::size_t code) con
     if (unit == Unit::dispatch && is_work)   // one cycle for each tile
         return {std::ldexp(work(Work::slots).value, -2 * config.tile_bits), 0};
     return total([=](const FrameTiming& t) { return double(t.accounts.units[index(unit)][code]); },
-                 is_work ? work_of(unit) : Work::least_cycles);
+                 is_work ? work_of(unit) : Work::expected_cycles);
 }
 
 FrameResult Sampled::frame(const Config& config) const {

@@ -17,20 +17,24 @@ using sample::Work;
 
 class Figures {
 public:
-    Figures(const Config& config, int khz) : config_(config), hertz_(khz * 1e3) {}
+    Figures(const Config& config, int khz, std::uint64_t waits)
+        : config_(config), hertz_(khz * 1e3), waits_(double(waits)) {}
 
-    void add(const char* key, const char* unit, const Figure& figure, Work by = Work::least_cycles) {
+    void add(const char* key, const char* unit, const Figure& figure, Work by = Work::expected_cycles) {
         all.push_back({key, unit, [=](const Sampled& s) { return s.total(figure, by); },
                        [=](const FrameResult& f) { return figure(f); }});
     }
     void add_rate(const char* key, const char* unit) {
-        const double hertz = hertz_;
+        const double hertz = hertz_, waits = waits_;
         all.push_back({key, unit,
                        [=](const Sampled& s) {
                            const Estimate cycles = s.total(cycles_of);
-                           return Estimate{hertz / cycles.value, hertz / cycles.value * cycles.relative()};
+                           const double all = cycles.value + waits, fps = hertz / all;
+                           Estimate rate = cycles.times(fps / all);   // the derivative of the rate
+                           rate.value = fps;
+                           return rate;
                        },
-                       [=](const FrameResult& f) { return hertz / double(f.cycles); }});
+                       [=](const FrameResult& f) { return hertz / double(f.all_cycles()); }});
     }
     void add_work(const char* key, const char* unit, Work kind,
                   const std::function<std::uint64_t(const FrameResult&)>& exact) {
@@ -71,7 +75,7 @@ public:
 
 private:
     const Config& config_;
-    double hertz_;
+    double hertz_, waits_;
 };
 
 /// Writes a number with the digits that are useful for its unit.
@@ -80,11 +84,25 @@ std::string number(double value, const std::string& unit) {
     if (unit == "fps") return fmt::format("{:.2f}", value);
     return grouped(std::uint64_t(value + 0.5));
 }
+std::string with_interval(const Estimate& e, const std::string& unit) {
+    return fmt::format(
+        "{} +-{}", number(e.value, unit),
+        unit == "share" ? number(e.half_width, unit) : fmt::format("{:.2f} %", 100 * e.relative()));
+}
+
+bool is_additive(const SampledFigure& figure) { return figure.unit != "share" && figure.unit != "fps"; }
+
+/// Returns the mean of a figure over the frames of a film.
+Estimate mean_of(const std::vector<SampledFrame>& frames, std::size_t clock, std::size_t figure) {
+    std::vector<Estimate> all;
+    for (const SampledFrame& frame : frames) all.push_back(frame.estimates[clock][figure]);
+    return sample::mean(all);
+}
 
 }   // namespace
 
-std::vector<SampledFigure> sampled_figures(const Config& config, int khz) {
-    Figures figures(config, khz);
+std::vector<SampledFigure> sampled_figures(const Config& config, int khz, std::uint64_t waits) {
+    Figures figures(config, khz, waits);
     figures.add("cycles", "cycles", Figures::cycles_of);
     figures.add_rate("fps", "fps");
     if (config.supersampling)
@@ -111,58 +129,132 @@ std::vector<SampledFigure> sampled_figures(const Config& config, int khz) {
     return std::move(figures.all);
 }
 
-std::string sampled_table(const Config& config, const std::vector<Sampled>& clocks) {
-    std::vector<std::string> head{"sampled, with 95 % interval"};
-    for (const Sampled& s : clocks) head.push_back(fmt::format("{:g} MHz", s.khz() / 1e3));
+double widest_of(const SampledFrame& frame) {
+    double widest = 0;
+    for (const std::vector<Estimate>& clock : frame.estimates) widest = std::max(widest, clock[0].relative());
+    return widest;
+}
+
+std::string sampled_table(const Config& config, const std::vector<int>& khz,
+                          const std::vector<SampledFrame>& frames) {
+    std::vector<std::string> head{
+        fmt::format("sampled{}, with 95 % interval", frames.size() > 1 ? ", mean of all frames" : "")};
+    for (const int k : khz) head.push_back(fmt::format("{:g} MHz", k / 1e3));
     Table table(head);
-    const std::vector<SampledFigure> figures = sampled_figures(config, clocks[0].khz());
+    const std::vector<SampledFigure> figures = sampled_figures(config, khz[0]);
     for (std::size_t i = 0; i < figures.size(); ++i) {
         std::vector<std::string> row{figures[i].key};
         bool matters = false;
-        for (const Sampled& s : clocks) {
-            const SampledFigure figure = sampled_figures(config, s.khz())[i];
-            const Estimate e = figure.estimate(s);
-            const double cycles = s.total(Figures::cycles_of).value;
-            matters = matters || figure.unit != "cycles" || e.value >= 0.0005 * cycles;
-            row.push_back(fmt::format("{} +-{}", number(e.value, figure.unit),
-                                      figure.unit == "share" ? number(e.half_width, figure.unit)
-                                                             : fmt::format("{:.2f} %", 100 * e.relative())));
+        for (std::size_t k = 0; k < khz.size(); ++k) {
+            const Estimate e = mean_of(frames, k, i);
+            matters =
+                matters || figures[i].unit != "cycles" || e.value >= 0.0005 * mean_of(frames, k, 0).value;
+            row.push_back(with_interval(e, figures[i].unit));
         }
         if (matters) table.add(std::move(row));
     }
     return table.text();
 }
 
-std::string sampled_lines(const sample::Effort& e) {
+std::string sampled_film_table(const Config& config, const std::vector<int>& khz,
+                               const std::vector<SampledFrame>& frames) {
+    if (frames.size() == 1) return {};
+    std::vector<std::string> head{"frame", "time s", "seed"}, mean{"mean", "", ""}, sum{"sum", "", ""};
+    std::vector<std::pair<std::size_t, std::string>> columns;   // figure and its unit
+    const std::vector<SampledFigure> figures = sampled_figures(config, khz[0]);
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        const SampledFigure& figure = figures[i];
+        if (figure.key.starts_with("units.") || figure.key.starts_with("work.")) continue;
+        columns.emplace_back(i, figure.unit);
+        head.push_back(figure.key);
+        const Estimate e = mean_of(frames, 0, i);
+        mean.push_back(with_interval(e, figure.unit));
+        sum.push_back(is_additive(figure) ? with_interval(e.times(double(frames.size())), figure.unit) : "");
+    }
+    Table table(head);
+    for (std::size_t f = 0; f < frames.size(); ++f) {
+        std::vector<std::string> row{std::to_string(f + 1), fmt::format("{:.3f}", frames[f].time),
+                                     std::to_string(frames[f].ask.seed)};
+        for (const auto& [i, unit] : columns) row.push_back(with_interval(frames[f].estimates[0][i], unit));
+        table.add(row);
+    }
+    table.add(mean);
+    table.add(sum);
+    return fmt::format("\n  sampled frames at {:g} MHz, with 95 % intervals\n{}", khz[0] / 1e3, table.text());
+}
+
+namespace {
+
+sample::Effort sum_of(const std::vector<SampledFrame>& frames) {
+    sample::Effort sum;
+    for (const SampledFrame& frame : frames) sum += frame.effort;
+    return sum;
+}
+
+}   // namespace
+
+std::string sampled_lines(const std::vector<SampledFrame>& frames) {
+    const sample::Effort e = sum_of(frames);
     const auto percent = [&](std::uint64_t n) { return 100 * double(n) / double(e.pixels); };
     return fmt::format(
         "  sampled: {} of {} parts were measured, {:.1f} % of the pixels; {:.1f} % were replayed with "
         "warm-up; {} single pixels were walked\n"
         "  left out: the picture, its comparison with the reference, the judge and the digest\n",
-        e.measured, grouped(e.parts), percent(e.measured_pixels), percent(e.replayed_pixels),
+        grouped(e.measured), grouped(e.parts), percent(e.measured_pixels), percent(e.replayed_pixels),
         grouped(e.single_pixels));
 }
 
-nlohmann::ordered_json sampling_json(const Config& config, const sample::Ask& ask,
-                                     const std::vector<Sampled>& clocks) {
-    const sample::Effort& e = clocks[0].effort();
-    nlohmann::ordered_json by_clock = nlohmann::ordered_json::array();
-    for (const Sampled& s : clocks) {
-        nlohmann::ordered_json figures = nlohmann::ordered_json::object();
-        for (const SampledFigure& figure : sampled_figures(config, s.khz())) {
-            const Estimate estimate = figure.estimate(s);
-            figures[figure.key] = {{"estimate", estimate.value}, {"half_width", estimate.half_width}};
+nlohmann::ordered_json sampling_json(const Config& config, const std::vector<int>& khz,
+                                     const std::vector<SampledFrame>& frames, bool moves) {
+    using nlohmann::ordered_json;
+    const sample::Effort e = sum_of(frames);
+    const std::vector<SampledFigure> figures = sampled_figures(config, khz[0]);
+    const auto clocks_json = [&](const auto& figure_json) {
+        ordered_json clocks = ordered_json::array();
+        for (std::size_t k = 0; k < khz.size(); ++k) {
+            ordered_json all = ordered_json::object();
+            for (std::size_t i = 0; i < figures.size(); ++i) all[figures[i].key] = figure_json(k, i);
+            clocks.push_back({{"mhz", khz[k] / 1e3}, {"figures", all}});
         }
-        by_clock.push_back({{"mhz", s.khz() / 1e3}, {"figures", figures}});
+        return clocks;
+    };
+    const auto frame_json = [&](const SampledFrame& frame) {
+        return clocks_json([&](std::size_t k, std::size_t i) -> ordered_json {
+            const Estimate& one = frame.estimates[k][i];
+            return {{"estimate", one.value}, {"half_width", one.half_width}};
+        });
+    };
+    ordered_json each = nullptr, film = nullptr;
+    if (frames.size() > 1) {
+        each = ordered_json::array();
+        for (const SampledFrame& frame : frames)
+            each.push_back({{"time", frame.time},
+                            {"share", frame.ask.share},
+                            {"seed", frame.ask.seed},
+                            {"clocks", frame_json(frame)}});
+        film = clocks_json([&](std::size_t k, std::size_t i) {
+            const Estimate mean = mean_of(frames, k, i), sum = mean.times(double(frames.size()));
+            ordered_json figure{{"mean", mean.value}, {"mean_half_width", mean.half_width}};
+            if (is_additive(figures[i])) {
+                figure["sum"] = sum.value;
+                figure["sum_half_width"] = sum.half_width;
+            }
+            return figure;
+        });
     }
     std::vector<std::string> exact{"scene", "config", "frame", "camera", "compile"};
     if (!config.has_shade())
         exact.push_back("rays");
     else if (!config.supersampling)
         exact.push_back("rays.primary");
+    if (moves)
+        for (const char* key : {"clocks[].frames[].reset_cycles", "clocks[].frames[].bytes_written",
+                                "film.clocks[].frames[].time", "film.clocks[].frames[].reset_cycles",
+                                "film.clocks[].frames[].bytes_written", "film.clocks[].frames[].host_*"})
+            exact.emplace_back(key);
     return {{"confidence", 0.95},
-            {"share", ask.share},
-            {"seed", ask.seed},
+            {"share", frames.back().ask.share},
+            {"seed", frames.front().ask.seed},
             {"parts", e.parts},
             {"parts_measured", e.measured},
             {"strata", e.strata},
@@ -170,7 +262,9 @@ nlohmann::ordered_json sampling_json(const Config& config, const sample::Ask& as
             {"pixels_replayed", e.replayed_pixels},
             {"single_pixels", e.single_pixels},
             {"exact", exact},
-            {"clocks", by_clock}};
+            {"clocks", frame_json(frames.back())},
+            {"frames", each},
+            {"film", film}};
 }
 
 }   // namespace rayclock

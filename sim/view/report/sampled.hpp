@@ -18,15 +18,30 @@ struct SampledFigure {
     std::function<double(const FrameResult&)> exact;
 };
 /// Returns the figures that a sample estimates for this configuration: cycles first, then rates, work, memory
-/// and the accounts of all units.
-std::vector<SampledFigure> sampled_figures(const Config& config, int khz);
+/// and the accounts of all units. `waits` are cycles of the host's writes and resets before the frame.
+std::vector<SampledFigure> sampled_figures(const Config& config, int khz, std::uint64_t waits = 0);
 
-/// Returns the estimates with their intervals as text, one column for each clock.
-std::string sampled_table(const Config& config, const std::vector<sample::Sampled>& clocks);
+/// A sampled frame, alone or of a film.
+struct SampledFrame {
+    double time = 0;   ///< seconds of the scene
+    sample::Ask ask;
+    sample::Effort effort;
+    std::vector<std::vector<sample::Estimate>> estimates;   ///< [clock][figure of sampled_figures()]
+};
+/// Returns the widest relative interval of the cycles.
+double widest_of(const SampledFrame& frame);
+
+/// Returns the estimates with their intervals as text, one column for each clock. Those of several frames are
+/// means.
+std::string sampled_table(const Config& config, const std::vector<int>& khz,
+                          const std::vector<SampledFrame>& frames);
+/// Returns a row for each frame at the first clock, and their mean and sum.
+std::string sampled_film_table(const Config& config, const std::vector<int>& khz,
+                               const std::vector<SampledFrame>& frames);
 /// Returns sentences that say what was measured, and what is left out.
-std::string sampled_lines(const sample::Effort& effort);
-/// Returns the key `sampling` of a report.
-nlohmann::ordered_json sampling_json(const Config& config, const sample::Ask& ask,
-                                     const std::vector<sample::Sampled>& clocks);
+std::string sampled_lines(const std::vector<SampledFrame>& frames);
+/// Returns the key `sampling` of a report. `moves`: the scene moves.
+nlohmann::ordered_json sampling_json(const Config& config, const std::vector<int>& khz,
+                                     const std::vector<SampledFrame>& frames, bool moves);
 
 }   // namespace rayclock

@@ -343,14 +343,13 @@ TEST_CASE("samples that make no sense are refused") {
            simulate({"--within", "0s"}, {"--within", "'0s'"}),
            simulate({"--sample", "2%", "--size", "64x48"}, {"64x48", "65536 pixels"}),
            simulate({"--sample", "2%", "--engine", "rtl"}, {"--engine"}),
-           simulate({"--sample", "2%", "--frames", "3"}, {"--frames"}),
-           simulate({"--sample", "2%", "--pan", "2"}, {"--frames"}),
-           simulate({"--sample", "2%", "--uploads", "double"}, {"--frames"}),
+           simulate({"--within", "1s", "--frames", "3"}, {"--within", "one frame", "--error"}),
+           simulate({"--sample", "2%", "--uploads", "double"}, {"--uploads double", "between"}),
            simulate({"--sample", "2%", "--frames", "0"}, {"--frames"}),
+           {{"simulate", "crowd:2", "--sample", "2%", "--frames", "2", "--size", "64x48"}, {"64x48"}},
            {{"stress", "--chips", "9", "--rays", "1000"}, {"--chips"}},
            simulate({"--sample", "2%", "--report", "page.html"}, {"--report"}),
            simulate({"--sample", "2%", "-o", "folder"}, {"--output"}),
            simulate({"--sample", "2%", "--min-psnr", "30"}, {"--min-psnr"}),
-           simulate({"--sample", "2%", "--rays", "rays.npy"}, {"--rays"}),
-           {{"simulate", "crowd", "--sample", "2%"}, {"crowd", "moves"}}});
+           simulate({"--sample", "2%", "--rays", "rays.npy"}, {"--rays"})});
 }

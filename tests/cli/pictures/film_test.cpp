@@ -202,3 +202,97 @@ TEST_CASE("illegal options of a film are refused") {
     CHECK(still.code == 0);
     CHECK_THAT(still.err, Catch::Contains("nothing moves in this scene"));
 }
+
+namespace {
+
+/// Returns the report of a simulation of 320x256 pixels at 66 MHz.
+json report_of(Words more) {
+    more.insert(more.begin(), "simulate");
+    more.insert(more.end(), {"--size", "320x256", "--no-reference", "--clock", "66", "--json", "-"});
+    const Outcome outcome = run_program(more);
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    return json::parse(outcome.out);
+}
+
+void require_same_keys(const json& one, const json& other) {
+    for (const auto& [key, value] : one.items()) {
+        INFO(key);
+        REQUIRE(other.contains(key));
+        if (value.is_object() && other[key].is_object()) require_same_keys(value, other[key]);
+        if (value.is_array() && other[key].is_array() && !value.empty()) {
+            REQUIRE(value.size() == other[key].size());
+            if (value[0].is_object()) require_same_keys(value[0], other[key][0]);
+        }
+    }
+}
+
+}   // namespace
+
+TEST_CASE("a sampled film has the keys of an exact one, and its means and sums are those of its frames") {
+    const Words film{"crowd:2", "--frames", "3", "--fps", "2"};
+    Words with_sample = film;
+    with_sample.insert(with_sample.end(), {"--sample", "5%", "--seed", "7"});
+    const json exact = report_of(film), sampled = report_of(with_sample);
+    require_same_keys(exact, sampled);
+    const json &sampling = sampled["sampling"], &frames = sampling["frames"],
+               &whole = exact["clocks"][0]["frames"];
+    REQUIRE(frames.size() == 3);
+    REQUIRE(sampled["clocks"][0]["frames"].size() == 3);
+    for (const auto& [key, figure] : sampling["film"][0]["figures"].items()) {
+        INFO(key);
+        double sum = 0, widest = 0, all = 0;
+        for (const json& frame : frames) {
+            const json& one = frame["clocks"][0]["figures"][key];
+            sum += one["estimate"].get<double>();
+            widest = std::max(widest, one["half_width"].get<double>());
+            all += one["half_width"].get<double>();
+        }
+        CHECK(figure["mean"].get<double>() == Approx(sum / 3));
+        CHECK(figure["mean_half_width"].get<double>() <= Approx(all / 3));
+        const bool is_rate = key == "fps" || key.ends_with("rate");
+        CHECK(figure.contains("sum") != is_rate);
+        if (!is_rate) CHECK(figure["sum"].get<double>() == Approx(sum));
+        // The errors of the frames are independent, so they partly cancel in the sum.
+        if (key == "cycles") CHECK(figure["sum_half_width"].get<double>() < 0.9 * all);
+    }
+    for (std::size_t f = 0; f < 3; ++f) {
+        CHECK(frames[f]["seed"] == 7 + f);
+        CHECK(frames[f]["time"] == exact["film"]["clocks"][0]["frames"][f]["time"]);
+        const json& frame = sampled["clocks"][0]["frames"][f];
+        CHECK(frame["cycles"].get<double>() ==
+              Approx(frames[f]["clocks"][0]["figures"]["cycles"]["estimate"].get<double>()).margin(1));
+        CHECK(frame["reset_cycles"] == whole[f]["reset_cycles"]);
+        CHECK(frame["bytes_written"] == whole[f]["bytes_written"]);
+        // All writes are simulated, but the memory's refreshes have another phase.
+        CHECK(frame["upload_cycles"].get<double>() ==
+              Approx(whole[f]["upload_cycles"].get<double>()).epsilon(0.02).margin(60));
+        CHECK(frame["fps"].get<double>() == Approx(whole[f]["fps"].get<double>()).epsilon(0.1));
+    }
+}
+
+TEST_CASE("a frame of a sampled film is the sample of this frame alone, with its own seed") {
+    const json film = report_of(
+        {"crowd:2", "--frames", "2", "--time", "0.5:1.5", "--sample", "5%", "--seed", "7"})["sampling"];
+    for (const auto& [time, seed] : {std::pair{"0.5", 7}, {"1", 8}}) {
+        const json alone = report_of(
+            {"crowd:2", "--time", time, "--sample", "5%", "--seed", std::to_string(seed)})["sampling"];
+        const json& frame = film["frames"][std::size_t(seed) - 7]["clocks"][0]["figures"];
+        for (const auto& [key, figure] : alone["clocks"][0]["figures"].items()) {
+            INFO(key);
+            if (key != "fps") CHECK(frame[key] == figure);   // which includes the host's writes
+        }
+    }
+}
+
+TEST_CASE("the caches of a sampled film with a still scene are warm from the second frame on") {
+    const auto bytes_of_last = [](Words more) {
+        more.insert(more.end(), {"--sample", "5%", "--set", "node_sets=1024", "--set", "prim_sets=1024"});
+        return report_of(more)["sampling"]["clocks"][0]["figures"]["dram_bytes"]["estimate"].get<double>();
+    };
+    // The same parts with the same warm-up, except that the first part of a single frame starts cold. This
+    // part reads few lines.
+    const double cold = bytes_of_last({"mount:5", "--fov", "20", "--seed", "8"}),
+                 warm = bytes_of_last({"mount:5", "--fov", "20", "--frames", "2", "--seed", "7"});
+    CHECK(warm < cold - 128);
+}

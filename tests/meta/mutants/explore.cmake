@@ -98,5 +98,27 @@ mutant(chip_waits_for_static_without_end FILE sim/silicon/chip/nextpnr.cpp TEST 
 
 # ---- Samples: intervals that are too narrow.
 mutant(sample_intervals_of_half_the_width FILE sim/run/sample/estimate.cpp TEST sample "95 % intervals*"
-  OLD [[return student_975(degrees * both) * std::sqrt]]
-  NEW [[return student_975(degrees * both) / 2 * std::sqrt]])
+  OLD [[variance == 0 ? 0 : student_975(degrees) * std::sqrt]]
+  NEW [[variance == 0 ? 0 : student_975(degrees) / 2 * std::sqrt]])
+mutant(sample_runs_tiles_twice FILE sim/run/sample/sample.cpp TEST sample "samples of neighbouring parts*"
+  OLD [[std::max(last_end, part - std::min(part, u.lengths.warm_up))]]
+  NEW [[part - std::min(part, u.lengths.warm_up)]])
+mutant(sample_expects_no_wait_for_xform FILE sim/run/sample/sample.cpp TEST sample "the expected cycles of parts*"
+  OLD [[instance_(std::uint64_t(config.xform_interval) - 1)]]
+  NEW [[instance_(0)]])
+mutant(sample_expects_contexts_without_end FILE sim/run/sample/sample.cpp TEST sample
+  "the expected cycles of parts*"
+  OLD [[contexts_(std::uint64_t(config.contexts))]]
+  NEW [[contexts_(std::uint64_t(config.contexts) * 1000)]])
+mutant(sample_counts_no_instances FILE sim/run/sample/sampled.cpp TEST sample "a sample counts visits of instances*"
+  OLD [[if (unit == Unit::xform) return Work::instances;]]
+  NEW [[]])
+mutant(sample_film_adds_no_variances FILE sim/run/sample/estimate.cpp TEST sample "95 % intervals of a mean*"
+  OLD [[        variance += e.variance;]]
+  NEW [[        variance = std::max(variance, e.variance);]])
+mutant(sample_film_has_one_seed FILE sim/app/run/sample_run.cpp TEST cli "a sampled film has the keys*"
+  OLD [[seed + f}]]
+  NEW [[seed}]])
+mutant(sample_film_starts_cold FILE sim/app/run/sample_run.cpp TEST cli "the caches of a sampled film*"
+  OLD [[f > 0 && !upload.resets ? &previous : nullptr]]
+  NEW [[false ? &previous : nullptr]])
