@@ -18,6 +18,7 @@ Machine::Machine(const Config& config, int khz, Traffic traffic)
       memory_(config, khz, traffic),
       undisturbed_(traffic.none()),
       shared_moves_(std::size_t(config.pipelines)),
+      fills_(std::size_t(config.pipelines)),
       masks_(std::size_t(config.pipelines)) {
     for (int p = 0; p < config.pipelines; ++p) pipelines_.emplace_back(config, traffic, p);
     if (has_l2_) l2_.emplace(l2_shape(config));
@@ -53,17 +54,14 @@ void Machine::reset() {
 
 // Settles the shared links: tiles to the pipelines; misses through the arbiter to the shared cache or to
 // memory; answers back to the requesting cache. All of it depends only on registered state.
-void Machine::settle_shared() {
+// Within a window of several cycles no tile is granted, and the pipelines are ahead of the shared units.
+void Machine::settle_shared(bool tiles) {
     std::uint32_t want = 0;
     std::uint64_t misses = 0;
     for (std::uint32_t p = 0; p < pipelines_.size(); ++p) {
         const Pipeline& pipeline = pipelines_[p];
-        want |= std::uint32_t(pipeline.tile_ready()) << p;
-        misses |=
-            (std::uint64_t(pipeline.node_miss_valid()) | std::uint64_t(pipeline.prim_miss_valid()) << 1 |
-             std::uint64_t(pipeline.surf_or_stream_miss_valid()) << 2 |
-             std::uint64_t(pipeline.tex_miss_valid()) << 3)
-            << clients_ * p;
+        want |= std::uint32_t(tiles & pipeline.tile_ready()) << p;
+        misses |= std::uint64_t(pipeline.misses(now_)) << clients_ * p;
         shared_moves_[p] = {};
     }
     granted_ = dispatch_.grant(want);
@@ -145,11 +143,14 @@ void Machine::clock_pipelines() {
 void Machine::clock_shared() {
     dispatch_.clock(granted_);
     const bool taken = fires(has_l2_ ? Link::l2_req : Link::mem_req);
+    if (taken && client_ >= 0)
+        pipelines_[std::size_t(client_) / clients_].take_miss(std::uint32_t(client_) % clients_);
     arbiter_.clock(client_valid_, client_, taken);
     if (has_l2_) {
         const std::uint32_t filled = fires(Link::mem_rsp) ? memory_.answer().id : 0;
-        l2_outcome_ = l2_->clock(taken, client_request_, fires(Link::l2_rsp),
-                                 fires(Link::mem_rsp) ? &filled : nullptr, fires(Link::mem_req));
+        if (fires(Link::mem_req)) l2_->take_miss();
+        l2_outcome_ =
+            l2_->clock(taken, client_request_, fires(Link::l2_rsp), fires(Link::mem_rsp) ? &filled : nullptr);
         ++l2_counts_[std::size_t(l2_outcome_)];
     }
     const Memory::Answer request{asked().id, asked().addr};
@@ -205,9 +206,60 @@ void Machine::step_in_order(const std::array<int, pipeline_units>& order) {
 void Machine::run(std::uint64_t until, std::uint64_t hits) {
     const std::uint64_t last = std::min(hits, pixels_);
     while (hits_ < last && now_ < until) {
+        const std::uint64_t cycles = window(until, last);
+        if (cycles > 1) {
+            pass_window(cycles);
+            if (!looks_idle()) continue;
+            if (hits_ >= last || now_ >= until) return;
+        }
         step();
         if (moved_at_ < now_ && undisturbed_) sleep(until);
     }
+}
+
+bool Machine::looks_idle() const {
+    return std::ranges::all_of(pipelines_, [](const Pipeline& p) { return p.looks_idle(); });
+}
+
+/// Returns the number of cycles in which the sides of the pipelines, and the shared units, can run one after
+/// the other. A hit beyond `hits`, a tile or an answer of memory that depends on these cycles ends it.
+std::uint64_t Machine::window(std::uint64_t until, std::uint64_t hits) const {
+    if (has_l2_ || !undisturbed_) return 1;
+    std::uint64_t cycles =
+        std::min({until - now_, (hits - hits_ + pipelines_.size() - 1) / pipelines_.size(), memory_.known()});
+    for (const Pipeline& pipeline : pipelines_) cycles = std::min(cycles, pipeline.window(dispatch_.more()));
+    return cycles;
+}
+
+/// Performs this many cycles, at most window(): first the pipelines, then the shared units.
+void Machine::pass_window(std::uint64_t cycles) {
+    for (auto& fills : fills_)
+        for (Fills& of_cache : fills) of_cache.cycles = 0;
+    memory_.each_known(cycles, [this](std::size_t cycle, std::uint32_t id) {
+        const std::uint32_t client = id >> client_shift_;
+        fills_[client / clients_][client % clients_].add(cycle, id & ((1u << client_shift_) - 1));
+    });
+    for (std::size_t p = 0; p < pipelines_.size(); ++p) hits_ += pipelines_[p].run(now_, cycles, fills_[p]);
+    finished_ = 0;
+    for (const std::uint64_t end = now_ + cycles; now_ < end;) {
+        std::uint64_t still = memory_.valid() ? 0 : std::min(end - now_, memory_.still());
+        for (const Pipeline& pipeline : pipelines_)
+            if (pipeline.asks(false)) still = pipeline.misses(now_) ? 0 : std::min<std::uint64_t>(still, 1);
+        if (still == 0) {
+            settle_shared(false);
+            clock_shared();
+            continue;
+        }
+        last_shared_ = (dispatch_.more() ? 2 : 1) | 1 << 2;   // the codes of waiting units
+        shared_counts_[last_shared_] += still;
+        valid_ = fire_ = 0;
+        if (still == 1)
+            memory_.clock(nullptr);
+        else
+            memory_.skip(still);
+        now_ += still;
+    }
+    moved_at_ = now_;
 }
 
 void Machine::warm(std::uint32_t pipeline, const std::uint32_t* pixel) {
@@ -234,7 +286,7 @@ void Machine::sleep(std::uint64_t until) {
     wake = std::min(wake, memory_.quiet_until());
     if (wake <= now_) return;
     const std::uint64_t cycles = wake - now_;
-    for (Pipeline& pipeline : pipelines_) pipeline.skip(cycles);
+    for (Pipeline& pipeline : pipelines_) pipeline.skip(now_, cycles);
     shared_counts_[last_shared_] += cycles;
     if (has_l2_) l2_counts_[std::size_t(l2_outcome_)] += cycles;
     memory_.skip(cycles);

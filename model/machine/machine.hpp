@@ -96,8 +96,11 @@ private:
     struct Masks {
         LinkMask valid = 0, fire = 0;
     };
-    void settle_shared();
+    void settle_shared(bool tiles = true);
     bool shared_is_still() const;
+    std::uint64_t window(std::uint64_t until, std::uint64_t hits) const;
+    void pass_window(std::uint64_t cycles);
+    bool looks_idle() const;
     void settle_pipelines();
     void clock_pipelines();
     void clock_shared();
@@ -122,7 +125,8 @@ private:
     bool undisturbed_;
 
     // The cycle, once settled.
-    std::vector<SharedMoves> shared_moves_;   // [pipeline]
+    std::vector<SharedMoves> shared_moves_;     // [pipeline]
+    std::vector<std::array<Fills, 4>> fills_;   // [pipeline], of a window
     std::vector<Masks> masks_;
     LinkMask valid_ = 0, fire_ = 0;   // of the shared links
     // Pipeline that gets a tile; cache whose request is chosen; cache that gets a word.

@@ -5,6 +5,15 @@
 
 namespace rayclock {
 
+namespace {
+/// Returns the number of cycles for which no side of a pipeline depends on a later one.
+std::uint64_t longest_window(const Config& config) {
+    if (config.is_list()) return 1;   // trav's nodes are list's leaves in the same cycle
+    const int latency = std::min({node_latency(config), config.tri_latency(), config.raygen_latency()});
+    return std::min(std::uint64_t(latency) + 1, Pipeline::max_window);
+}
+}   // namespace
+
 Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
     : feed_(feed_of(config)),
       has_instances_(config.has_instances()),
@@ -18,24 +27,26 @@ Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
       raygen_hold_(std::uint32_t(config.raygen_interval - 1)),
       trav_(config),
       node_cache_(node_cache_shape(config)),
-      node_unit_(node_latency(config), config.box_queue),
-      node_answer_delay_(std::max(0, Stages(config).node_answer_delay - 1), config.contexts),
+      node_unit_(node_latency(config), config.box_queue, Stages(config).node_answer_delay),
+      node_answer_delay_(std::uint64_t(Stages(config).node_answer_delay)),
       box_hold_(std::uint32_t(config.box_interval() - 1)),
       xform_(config.xform_latency() - 1, config.contexts),
       xform_hold_(std::uint32_t(config.xform_interval - 1)),
       list_(config),
       prim_cache_(prim_cache_shape(config)),
-      tri_(config.tri_latency(), config.tri_queue),
-      tri_answer_delay_(std::max(0, Stages(config).tri_answer_delay - 1), config.contexts),
+      tri_(config.tri_latency(), config.tri_queue, Stages(config).tri_answer_delay),
+      tri_answer_delay_(std::uint64_t(Stages(config).tri_answer_delay)),
       tri_hold_(std::uint32_t(config.tri_interval - 1)),
-      delays_answers_(Stages(config).node_answer_delay > 0),
       surf_or_stream_cache_(config.is_stream() ? stream_cache_shape(config) : surf_cache_shape(config)),
       shade_(config),
       tex_(config),
       tex_cache_(tex_cache_shape(config)),
       reads_texels_(std::size_t(config.contexts)),
       sink_(traffic, number),
-      rays_(std::size_t(config.contexts)) {}
+      rays_(std::size_t(config.contexts)),
+      is_plain_(config.timing == Timing::relaxed && !config.is_list() && traffic.none() &&
+                config.contexts <= RayRing::most_few && raygen_hold_ + box_hold_ + tri_hold_ == 0),
+      window_(longest_window(config)) {}
 
 void Pipeline::settle(std::uint64_t now) {
     moves_ = {};
@@ -47,58 +58,64 @@ void Pipeline::clock(std::uint64_t now, const SharedMoves& shared) {
 
 void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
                               const std::array<int, pipeline_units>& order) {
-    with_shape([&]<RayFeed feed, bool levels>() { account_units<feed>(moves_); });
+    const std::uint32_t prim_codes = prim_side_codes<false>(moves_),
+                        node_codes = node_side_codes<false>(moves_);
+    with_shape([&]<RayFeed feed, bool levels>() { account_ray_side(ray_side_codes<feed, false>(moves_)); });
     for (const int unit : order) switch (Unit(unit)) {
             case Unit::sched:
-                with_shape([&]<RayFeed feed, bool levels>() { clock_sched<feed>(moves_, shared.tile); });
+                with_shape(
+                    [&]<RayFeed feed, bool levels>() { clock_sched<feed, false>(moves_, 0, shared.tile); });
                 break;
             case Unit::raygen:
-                with_shape([&]<RayFeed feed, bool levels>() { clock_raygen<feed>(moves_, now); });
+                raygen_.take(moves_[Link::ray].fires);
+                with_shape([&]<RayFeed feed, bool levels>() { clock_raygen<feed, false>(moves_, now, 0); });
                 break;
             case Unit::trav:
-                with_shape([&]<RayFeed feed, bool levels>() { clock_trav<feed, levels>(moves_); });
+                with_shape([&]<RayFeed feed, bool levels>() { clock_trav<feed, levels, false>(moves_); });
                 break;
-            case Unit::node_cache: clock_node_cache(moves_, shared); break;
-            case Unit::box: clock_node_unit(moves_, now); break;   // whichever engine it belongs to
+            case Unit::node_cache: clock_node_cache<false>(moves_, now, shared.node_fill); break;
+            case Unit::box: clock_node_unit<false>(moves_, now); break;   // whichever engine it belongs to
             case Unit::xform:
                 if (has_instances_) clock_xform(moves_, now);
                 break;
-            case Unit::list: clock_list(moves_); break;
-            case Unit::prim_cache: clock_prim_cache(moves_, shared); break;
-            case Unit::tri: clock_tri(moves_, now); break;
+            case Unit::list:
+                clock_list<false>(moves_);
+                list_.clock_tested(tested_[0], moves_[Link::tested].fires);
+                break;
+            case Unit::prim_cache: clock_prim_cache<false>(moves_, now, shared.prim_fill); break;
+            case Unit::tri: clock_tri<false>(moves_, now); break;
             case Unit::surf_cache:
-                if (is_shaded(feed_)) clock_surf_cache(moves_, shared);
+                if (is_shaded(feed_)) clock_surf_cache(moves_, now, shared.surf_or_stream_fill);
                 break;
             case Unit::stream:
-                if (feed_ == RayFeed::stream) clock_stream(moves_, shared);
+                if (feed_ == RayFeed::stream) clock_stream(moves_, now, shared.surf_or_stream_fill);
                 break;
             case Unit::shade:
                 with_shape([&]<RayFeed feed, bool levels>() {
-                    if constexpr (is_shaded(feed)) clock_shade<feed, levels>(moves_, now);
+                    if constexpr (is_shaded(feed)) clock_shade<feed, levels, false>(moves_, now, 0);
                 });
                 break;
             case Unit::tex:
-                if (feed_ == RayFeed::textured) clock_tex(moves_, now, shared);   // and tex_cache
+                if (feed_ == RayFeed::textured) clock_tex(moves_, now, shared.tex_fill);   // and tex_cache
                 break;
             default: break;   // the other node units: see the case of box
         }
-    account_caches();
+    account_prim_side(prim_codes);
+    account_node_side(node_codes);
 }
 
-void Pipeline::clock_surf_cache(const Moves& m, const SharedMoves& shared) {
+void Pipeline::clock_surf_cache(const Moves& m, std::uint64_t now, const std::uint32_t* fill) {
     const LinkInside& req = m[Link::surf_req];
-    surf_or_stream_outcome_ =
-        surf_or_stream_cache_.clock(req.fires, {req.ray, surf_addr(req.ray)}, m[Link::surf_rsp].fires,
-                                    shared.surf_or_stream_fill, shared.surf_or_stream_miss);
+    surf_or_stream_outcome_ = surf_or_stream_cache_.clock(req.fires, {req.ray, surf_addr(req.ray)},
+                                                          m[Link::surf_rsp].fires, fill, now);
     last_surf_or_stream_ = std::uint32_t(surf_or_stream_outcome_) | m.shade_code << cause_bits;
     ++surf_or_stream_cycles_[last_surf_or_stream_];
 }
 
-void Pipeline::clock_stream(const Moves& m, const SharedMoves& shared) {
+void Pipeline::clock_stream(const Moves& m, std::uint64_t now, const std::uint32_t* fill) {
     const LinkInside& slot = m[Link::slot];
     surf_or_stream_outcome_ =
-        surf_or_stream_cache_.clock(slot.fires, {slot.ray, m.record}, m[Link::record].fires,
-                                    shared.surf_or_stream_fill, shared.surf_or_stream_miss);
+        surf_or_stream_cache_.clock(slot.fires, {slot.ray, m.record}, m[Link::record].fires, fill, now);
     last_surf_or_stream_ = std::uint32_t(surf_or_stream_outcome_);
     ++surf_or_stream_cycles_[last_surf_or_stream_];
 }
@@ -118,21 +135,23 @@ template <Pipeline::RayFeed feed, bool levels> Shade::Leave Pipeline::turn_of(st
     return Shade::Leave::spawn;
 }
 
-void Pipeline::clock_tex(const Moves& m, std::uint64_t now, const SharedMoves& shared) {
+void Pipeline::clock_tex(const Moves& m, std::uint64_t now, const std::uint32_t* fill) {
     const LinkInside &req = m[Link::texel_req], &came = m[Link::texel_rsp];
     const bool texels = reads_texels_[came.ray];
     const std::uint32_t line = EndWord{rays_[req.ray].at[m[Link::tex_req].fires ? -2 : -1]}.line();
     tex_.clock(now, req.valid, req.fires, {came.fires && !texels, came.ray},
                {came.fires && texels, came.ray});
     if (req.fires) reads_texels_[req.ray] = !m[Link::tex_req].fires;
-    tex_outcome_ = tex_cache_.clock(req.fires, {req.ray, line}, came.fires, shared.tex_fill, shared.tex_miss);
+    tex_outcome_ = tex_cache_.clock(req.fires, {req.ray, line}, came.fires, fill, now);
     last_tex_ = std::uint32_t(tex_outcome_) | m.tex_code << cause_bits;
     ++tex_cycles_[last_tex_];
 }
 
-template <Pipeline::RayFeed feed, bool levels> void Pipeline::clock_shade(const Moves& m, std::uint64_t now) {
+template <Pipeline::RayFeed feed, bool levels, bool plain>
+void Pipeline::clock_shade(const Moves& m, std::uint64_t now, std::size_t c) {
     Shade::Wants wants = Shade::Wants::nothing;
-    const LinkInside &closest = m[Link::closest], &came = m[Link::surf_rsp];
+    const LinkRay& closest = left_[c];
+    const LinkInside& came = m[Link::surf_rsp];
     const auto next = [this](std::uint32_t ray) -> EndWord {
         TraceCursor& cursor = rays_[ray];
         ++cursor.at;
@@ -141,7 +160,7 @@ template <Pipeline::RayFeed feed, bool levels> void Pipeline::clock_shade(const 
         cursor.head = cursor.at[1];
         return {*cursor.at};
     };
-    if (closest.fires) {   // past the last visit, or its last triangle
+    if (closest.valid) {   // past the last visit, or its last triangle
         const EndWord word = next(closest.ray);
         if (levels && word.is_place())
             wants = Shade::Wants::place;
@@ -150,28 +169,35 @@ template <Pipeline::RayFeed feed, bool levels> void Pipeline::clock_shade(const 
     }
     const bool placed = came.fires & m.placing;
     if (placed) next(came.ray);
-    shade_.clock<levels, feed == RayFeed::textured>(
+    shade_.clock<levels, feed == RayFeed::textured, plain>(
         now, closest, wants, {bool(came.fires & !m.placing), came.ray}, {placed, came.ray},
         m[Link::surf_req].fires, m[Link::spawn].fires, m[Link::hit].fires,
         {m[Link::tex_rsp].fires, m[Link::tex_rsp].ray}, m[Link::tex_req].fires,
         [this](std::uint32_t ray) { return turn_of<feed, levels>(ray); });
 }
-template void Pipeline::clock_shade<Pipeline::RayFeed::shade, false>(const Moves&, std::uint64_t);
-template void Pipeline::clock_shade<Pipeline::RayFeed::shade, true>(const Moves&, std::uint64_t);
-template void Pipeline::clock_shade<Pipeline::RayFeed::textured, false>(const Moves&, std::uint64_t);
-template void Pipeline::clock_shade<Pipeline::RayFeed::textured, true>(const Moves&, std::uint64_t);
+#define RC_INSTANCE(feed, levels)                                                                            \
+    template void Pipeline::clock_shade<Pipeline::RayFeed::feed, levels, false>(const Moves&, std::uint64_t, \
+                                                                                std::size_t);                \
+    template void Pipeline::clock_shade<Pipeline::RayFeed::feed, levels, true>(const Moves&, std::uint64_t,  \
+                                                                               std::size_t);
+RC_INSTANCE(shade, false)
+RC_INSTANCE(shade, true)
+RC_INSTANCE(textured, false)
+RC_INSTANCE(textured, true)
+#undef RC_INSTANCE
 
 namespace {
 LinkMask at(bool on, Link link) { return LinkMask(on) << index(link); }
 }   // namespace
 
 LinkMask Pipeline::valid_mask(const SharedMoves& shared) const {
-    LinkMask mask = at(shared.tile, Link::tile) | at(node_cache_.miss_valid(), Link::node_miss) |
-                    at(shared.node_fill, Link::node_fill) | at(prim_cache_.miss_valid(), Link::prim_miss) |
+    const std::uint32_t asks = misses(~std::uint64_t(0));
+    LinkMask mask = at(shared.tile, Link::tile) | at(asks & 1, Link::node_miss) |
+                    at(shared.node_fill, Link::node_fill) | at(asks & 2, Link::prim_miss) |
                     at(shared.prim_fill, Link::prim_fill) |
-                    at(surf_or_stream_miss_valid(), surf_or_stream(Link::surf_miss, Link::stream_miss)) |
+                    at(asks & 4, surf_or_stream(Link::surf_miss, Link::stream_miss)) |
                     at(shared.surf_or_stream_fill, surf_or_stream(Link::surf_fill, Link::stream_fill)) |
-                    at(tex_miss_valid(), Link::tex_miss) | at(shared.tex_fill, Link::tex_fill);
+                    at(asks & 8, Link::tex_miss) | at(shared.tex_fill, Link::tex_fill);
     for (std::size_t i = 0; i < pipeline_links; ++i) mask |= at(moves_.links[i].valid, outside(Link(i)));
     return mask;
 }
@@ -194,7 +220,6 @@ std::uint64_t Pipeline::wakes(std::uint64_t now) const {
         return now;
     std::uint64_t wakes = std::min({raygen_.due(), node_unit_.due(now), tri_.due(now)});
     if (has_instances_) wakes = std::min(wakes, xform_.due(now));
-    if (delays_answers_) wakes = std::min({wakes, node_answer_delay_.due(now), tri_answer_delay_.due(now)});
     if (feed_ == RayFeed::textured) wakes = std::min(wakes, tex_.due(now));
     return is_shaded(feed_) ? std::min(wakes, shade_.due()) : wakes;
 }
@@ -214,13 +239,11 @@ std::string Pipeline::where(std::uint32_t ray, std::uint64_t now) const {
     return raygen_.contains(RayNumber(ray)) ? "raygen"
            : node_unit_.contains(RayNumber(ray), now)
                ? unit_infos[index((is_low(ray) ? lower_ : upper_).unit)].name
-           : xform_.contains(RayNumber(ray), now) ? "xform"
-           : tri_.contains(RayNumber(ray), now)   ? "tri"
-           : delays_answers_ && node_answer_delay_.contains(RayNumber(ray), now)
-               ? "trav: looks at a node's answer"
-           : delays_answers_ && tri_answer_delay_.contains(RayNumber(ray), now)
-               ? "list: looks at tri's answer"
-               : "nowhere";
+           : xform_.contains(RayNumber(ray), now)  ? "xform"
+           : tri_.contains(RayNumber(ray), now)    ? "tri"
+           : node_unit_.keeps(RayNumber(ray), now) ? "trav: looks at a node's answer"
+           : tri_.keeps(RayNumber(ray), now)       ? "list: looks at tri's answer"
+                                                   : "nowhere";
 }
 
 Accounts Pipeline::accounts() const {
@@ -229,26 +252,30 @@ Accounts Pipeline::accounts() const {
         sums.units[index(unit)][code] += cycles;
     };
     const bool streams = feed_ == RayFeed::stream;
-    for (std::uint32_t i = 0; i < units_.size(); ++i) {
-        if (units_[i] == 0) continue;
-        UnitCodes codes = UnitCodes::of(i);
+    for (std::uint32_t i = 0; i < ray_side_.size(); ++i) {
+        auto [sched, raygen] = UnitCodes::of(i);
         if (streams) {   // the unit stream lies between sched and raygen
-            if (codes.sched == cause_code(Unit::sched, stalled("raygen")))
-                codes.sched = cause_code(Unit::sched, stalled("stream"));
-            if (codes.raygen == cause_code(Unit::raygen, starved("sched")))
-                codes.raygen = cause_code(Unit::raygen, starved("stream"));
+            if (sched == cause_code(Unit::sched, stalled("raygen")))
+                sched = cause_code(Unit::sched, stalled("stream"));
+            if (raygen == cause_code(Unit::raygen, starved("sched")))
+                raygen = cause_code(Unit::raygen, starved("stream"));
         }
-        add(Unit::sched, codes.sched, units_[i]);
-        add(Unit::raygen, codes.raygen, units_[i]);
-        add(Unit::trav, codes.trav, units_[i]);
-        if (!is_list_) add(upper_.unit, codes.node_unit, units_[i]);
-        add(Unit::list, codes.list, units_[i]);
-        add(Unit::tri, codes.tri, units_[i]);
+        add(Unit::sched, sched, ray_side_[i]);
+        add(Unit::raygen, raygen, ray_side_[i]);
     }
     constexpr std::uint32_t outcome = (1u << cause_bits) - 1;
-    for (std::uint32_t i = 0; i < caches_.size(); ++i) {
-        if (!is_list_) add(Unit::node_cache, i & outcome, caches_[i]);
-        add(Unit::prim_cache, i >> cause_bits, caches_[i]);
+    for (std::uint32_t i = 0; i < node_side_.size(); ++i) {
+        const auto [trav, node_unit] = UnitCodes::of(i >> cause_bits);
+        add(Unit::trav, trav, node_side_[i]);
+        if (is_list_) continue;
+        add(upper_.unit, node_unit, node_side_[i]);
+        add(Unit::node_cache, i & outcome, node_side_[i]);
+    }
+    for (std::uint32_t i = 0; i < prim_side_.size(); ++i) {
+        const auto [list, tri] = UnitCodes::of(i >> cause_bits);
+        add(Unit::list, list, prim_side_[i]);
+        add(Unit::tri, tri, prim_side_[i]);
+        add(Unit::prim_cache, i & outcome, prim_side_[i]);
     }
     for (std::uint32_t i = 0; i < tex_cycles_.size(); ++i) {
         add(Unit::tex_cache, i & outcome, tex_cycles_[i]);

@@ -29,14 +29,33 @@ struct SharedMoves {
     }
 };
 
+/// The words that memory sends to one cache in a window of cycles.
+struct Fills {
+    std::uint32_t cycles = 0;   ///< bit c: cycle c of the window has one
+    std::array<std::uint32_t, 8> ids{};
+    void add(std::size_t cycle, std::uint32_t id) { cycles |= 1u << cycle, ids[cycle] = id; }
+    const std::uint32_t* at(std::size_t cycle) const { return cycles >> cycle & 1 ? &ids[cycle] : nullptr; }
+};
+
 /// One pipeline, cycle by cycle: *when* the rays of a trace move from unit to unit. Mirror of
 /// rtl/rc_pipeline.sv.
+///
+/// Its units form three sides. The prim side has list's requests, prim_cache and tri; the node side has trav,
+/// node_cache, the node units, xform, and list's answers; the ray side has sched, raygen and shading. In a
+/// window of cycles each side can run alone, one after the other in this order: between a later and an
+/// earlier side lies a unit whose latency is at least as long as the window. The signals from an earlier to a
+/// later side are kept for each cycle of the window.
 class Pipeline {
 public:
+    /// Most cycles of a window.
+    static constexpr std::uint64_t max_window = 8;
+
     Pipeline(const Config& config, Traffic traffic, int number);
 
     void start(const Frame& frame, const Trace& trace) {
         sched_.start(frame);
+        for (Delay* delay : {&node_unit_, &xform_, &tri_}) delay->clear();
+        tex_.start();
         trace_ = &trace;
         first_ray_line_ = frame.first_ray_line;
         first_mesh_line_ = trace.first_mesh_line;
@@ -45,6 +64,23 @@ public:
 
     /// Performs cycle `now`: settles the links from registered state, and clocks. Returns true if a hit left.
     bool step(std::uint64_t now, const SharedMoves& shared);
+    /// Performs `cycles` cycles from `now` on, at most window(). No tile comes, and the receiver of pixels
+    /// does not change. Returns the number of hits that left. `fills`: in the order of the caches' numbers.
+    std::uint32_t run(std::uint64_t now, std::uint64_t cycles, const std::array<Fills, 4>& fills);
+    /// Returns the longest window from this cycle on. `more`: there are tiles left.
+    std::uint64_t window(bool more) const { return more ? std::min(window_, sched_.before_tile()) : window_; }
+    /// True if the caches looked nothing up in the last cycle: the pipeline may be asleep.
+    bool looks_idle() const {
+        return (node_outcome_ > CacheOutcome::drain) & (prim_outcome_ > CacheOutcome::drain);
+    }
+    /// A request of a cache to memory was accepted.
+    void take_miss(std::uint32_t cache) {
+        (cache == 0   ? node_cache_
+         : cache == 1 ? prim_cache_
+         : cache == 2 ? surf_or_stream_cache_
+                      : tex_cache_)
+            .take_miss();
+    }
     /// Opens or closes the receiver of pixels for the next cycle. It is open at first.
     void open_sink(bool is_open) { sink_.open(is_open); }
     /// Perform the two halves of step(), so that callers can observe the links in between.
@@ -60,23 +96,20 @@ public:
     LinkMask valid_mask(const SharedMoves& shared) const;
     LinkMask fire_mask(const SharedMoves& shared) const;
     bool tile_ready() const { return sched_.tile_ready(); }
-    bool node_miss_valid() const { return node_cache_.miss_valid(); }
-    bool prim_miss_valid() const { return prim_cache_.miss_valid(); }
+    /// Returns the caches with a request to memory in cycle `now`, as bits in the order of their numbers.
+    std::uint32_t misses(std::uint64_t now) const {
+        return std::uint32_t(node_cache_.miss_valid(now)) | std::uint32_t(prim_cache_.miss_valid(now)) << 1 |
+               std::uint32_t((feed_ != RayFeed::camera) && surf_or_stream_cache_.miss_valid(now)) << 2 |
+               std::uint32_t((feed_ == RayFeed::textured) && tex_cache_.miss_valid(now)) << 3;
+    }
     Cache::Miss node_miss() const { return node_cache_.miss(); }
     Cache::Miss prim_miss() const { return prim_cache_.miss(); }
-    bool surf_or_stream_miss_valid() const {
-        return (feed_ != RayFeed::camera) & surf_or_stream_cache_.miss_valid();
-    }
     Cache::Miss surf_or_stream_miss() const { return surf_or_stream_cache_.miss(); }
-    bool tex_miss_valid() const { return (feed_ == RayFeed::textured) & tex_cache_.miss_valid(); }
     Cache::Miss tex_miss() const { return tex_cache_.miss(); }
     /// Returns the context on a link that carries one and fires.
     std::uint32_t ray_on(Link link) const { return moves_[inside(link)].ray; }
     /// True if something is to move between this pipeline and the shared units. `more`: there are tiles left.
-    bool asks(bool more) const {
-        return node_cache_.miss_valid() | prim_cache_.miss_valid() | surf_or_stream_miss_valid() |
-               tex_miss_valid() | (tile_ready() & more);
-    }
+    bool asks(bool more) const { return (misses(~std::uint64_t(0)) != 0) | (tile_ready() & more); }
     Slot slot() const { return sched_.slot(); }
     const Slot& pixel(std::uint32_t ray) const { return sched_.pixel(ray); }
     std::uint32_t node_addr(std::uint32_t ray) const { return VisitWord{rays_[ray].head}.line(); }
@@ -112,9 +145,12 @@ public:
     /// True if nothing moved or changed in the last cycle. The following cycles are the same until `wakes()`.
     bool slept() const { return asleep_; }
     std::uint64_t wakes(std::uint64_t now) const;
-    void skip(std::uint64_t cycles) {
-        units_[last_units_] += cycles;
-        caches_[last_caches_] += cycles;
+    void skip(std::uint64_t now, std::uint64_t cycles) {
+        for (Delay* delay : {&node_unit_, &xform_, &tri_}) delay->skip(now, cycles);
+        if (feed_ == RayFeed::textured) tex_.skip(now, cycles);
+        node_side_[last_node_side_] += cycles;
+        prim_side_[last_prim_side_] += cycles;
+        ray_side_[last_ray_side_] += cycles;
         if (feed_ != RayFeed::camera) surf_or_stream_cycles_[last_surf_or_stream_] += cycles;
         if (feed_ == RayFeed::textured) tex_cycles_[last_tex_] += cycles;
         if (has_instances_) xforms_[last_xform_] += cycles, lowers_[last_lower_] += cycles;
@@ -162,10 +198,12 @@ private:
         std::uint32_t ray;
         operator LinkRay() const { return {fires, ray}; }
     };
-    /// All inner links in a cycle. SharedMoves has the links to the shared units.
+    /// All inner links in a cycle. SharedMoves has the links to the shared units. When a side runs alone,
+    /// only its own links are set.
     struct Moves {
         std::array<LinkInside, pipeline_links> links;
         LinkRay node_answer, tri_answer;   // the node unit's and tri's answers on arrival at trav and list
+        bool another = false;              // tri's answer has another triangle to test
         bool step = false;                 // trav accepts a step of a ray that was tested or has no leaves
         bool read = false;                 // node_cache's answer is accepted
         bool placing = false;              // surf_cache's answer is an instance
@@ -196,18 +234,33 @@ private:
     /// True if the lower engine walks the ray's node; false with one engine.
     bool is_low(std::uint32_t ray) const { return node_addr(ray) >= first_mesh_line_; }
     /// Returns the cause of a node unit: of the only one, or of the upper or lower one.
-    std::uint32_t node_unit_code(const Moves& m, bool low) const {
+    template <bool plain> std::uint32_t node_unit_code(const Moves& m, bool low) const {
         const LinkInside& req = m[node_unit_req];
         const bool own = m.lower_request == low;
-        if (box_hold_left_ > 0 && box_is_low_ == low) return busy_code;
+        if (is_held<plain>(box_hold_left_) && box_is_low_ == low) return busy_code;
         return node_unit_codes[std::size_t((own & req.valid) + (own & req.fires) +
                                            3 * node_cache_.has_misses_in_flight())];
     }
-    template <RayFeed feed, bool levels> void settle(Moves& m, std::uint64_t now) const;
+    // `plain`: is_plain_ is true, and the caller knows it. Less remains to be computed then.
+    template <bool plain> static bool is_held(std::uint32_t hold_left) { return !plain && hold_left > 0; }
+    template <RayFeed feed, bool levels> void settle(Moves& m, std::uint64_t now);
+    template <bool plain> void settle_leaves(Moves& m, std::uint64_t now) const;
+    template <bool plain> void settle_prim_side(Moves& m, std::uint64_t now, std::size_t c);
+    template <RayFeed feed, bool levels, bool plain>
+    void settle_node_side(Moves& m, std::uint64_t now, std::size_t c);
+    template <RayFeed feed, bool levels, bool plain> void settle_ray_side(Moves& m, std::uint64_t now) const;
     void settle_tex(Moves& m, std::uint64_t now) const;
+    template <bool plain> void clock_prim_side(const Moves& m, std::uint64_t now, const std::uint32_t* fill);
+    template <RayFeed feed, bool levels, bool plain>
+    void clock_node_side(const Moves& m, std::uint64_t now, std::size_t c, const std::uint32_t* fill);
+    template <RayFeed feed, bool levels, bool plain>
+    void clock_ray_side(const Moves& m, std::uint64_t now, std::size_t c, const Tile* tile,
+                        const std::uint32_t* fill, const std::uint32_t* tex_fill);
     template <RayFeed feed, bool levels>
     void clock(const Moves& m, std::uint64_t now, const SharedMoves& shared);
     template <RayFeed feed, bool levels> bool step(std::uint64_t now, const SharedMoves& shared);
+    template <RayFeed feed, bool levels, bool plain>
+    std::uint32_t run(std::uint64_t now, std::uint64_t cycles, const std::array<Fills, 4>& fills);
     /// Returns the name of a link of surf_cache or of stream.
     Link surf_or_stream(Link of_surf_cache, Link of_stream) const {
         return feed_ == RayFeed::stream ? of_stream : of_surf_cache;
@@ -215,26 +268,38 @@ private:
     Decision::Flags decide(std::uint32_t ray, bool valid);
     bool has_tests(std::uint32_t ray) const { return VisitWord{rays_[ray].head}.has_tests(); }
     void enter(const LinkInside& change);
-    bool has_more(std::uint32_t ray, bool tested);
     template <RayFeed feed, bool levels> Shade::Leave turn_of(std::uint32_t ray);
-    template <RayFeed feed> void account_units(const Moves& m);
-    void account_caches() {
-        last_caches_ = std::uint32_t(node_outcome_) | std::uint32_t(prim_outcome_) << cause_bits;
-        ++caches_[last_caches_];
+    // Codes of the units other than caches, before the clock edge.
+    template <bool plain> std::uint32_t prim_side_codes(const Moves& m) const;
+    template <bool plain> std::uint32_t node_side_codes(const Moves& m) const;
+    template <RayFeed feed, bool plain> std::uint32_t ray_side_codes(const Moves& m) const;
+    // Count a cycle, with these codes and the outcome of the side's cache.
+    void account_prim_side(std::uint32_t codes) {
+        last_prim_side_ = codes << cause_bits | std::uint32_t(prim_outcome_);
+        ++prim_side_[last_prim_side_];
     }
-    template <RayFeed feed> void clock_sched(const Moves& m, const Tile* tile);
-    template <RayFeed feed> void clock_raygen(const Moves& m, std::uint64_t now);
-    template <RayFeed feed, bool levels> void clock_trav(const Moves& m);
-    void clock_node_cache(const Moves& m, const SharedMoves& shared);
-    void clock_node_unit(const Moves& m, std::uint64_t now);
+    void account_node_side(std::uint32_t codes) {
+        last_node_side_ = codes << cause_bits | std::uint32_t(node_outcome_);
+        ++node_side_[last_node_side_];
+    }
+    void account_ray_side(std::uint32_t codes) {
+        last_ray_side_ = codes;
+        ++ray_side_[last_ray_side_];
+    }
+    template <RayFeed feed, bool plain> void clock_sched(const Moves& m, std::size_t c, const Tile* tile);
+    template <RayFeed feed, bool plain> void clock_raygen(const Moves& m, std::uint64_t now, std::size_t c);
+    template <RayFeed feed, bool levels, bool plain> void clock_trav(const Moves& m);
+    template <bool plain> void clock_node_cache(const Moves& m, std::uint64_t now, const std::uint32_t* fill);
+    template <bool plain> void clock_node_unit(const Moves& m, std::uint64_t now);
     void clock_xform(const Moves& m, std::uint64_t now);
-    void clock_list(const Moves& m);
-    void clock_prim_cache(const Moves& m, const SharedMoves& shared);
-    void clock_tri(const Moves& m, std::uint64_t now);
-    void clock_surf_cache(const Moves& m, const SharedMoves& shared);
-    void clock_stream(const Moves& m, const SharedMoves& shared);
-    void clock_tex(const Moves& m, std::uint64_t now, const SharedMoves& shared);
-    template <RayFeed feed, bool levels> void clock_shade(const Moves& m, std::uint64_t now);
+    template <bool plain> void clock_list(const Moves& m);
+    template <bool plain> void clock_prim_cache(const Moves& m, std::uint64_t now, const std::uint32_t* fill);
+    template <bool plain> void clock_tri(const Moves& m, std::uint64_t now);
+    void clock_surf_cache(const Moves& m, std::uint64_t now, const std::uint32_t* fill);
+    void clock_stream(const Moves& m, std::uint64_t now, const std::uint32_t* fill);
+    void clock_tex(const Moves& m, std::uint64_t now, const std::uint32_t* fill);
+    template <RayFeed feed, bool levels, bool plain>
+    void clock_shade(const Moves& m, std::uint64_t now, std::size_t c);
 
     RayFeed feed_;
     bool has_instances_;
@@ -252,16 +317,15 @@ private:
     Trav trav_;
     Cache node_cache_;
     Delay node_unit_;
-    Delay node_answer_delay_;                      // delays the answers to trav in a fast chip
+    std::uint64_t node_answer_delay_;              // cycles from an answer to its arrival at trav
     std::uint32_t box_hold_, box_hold_left_ = 0;   // the same of the unit box, after a node
     Delay xform_;
     std::uint32_t xform_hold_, xform_hold_left_ = 0;   // the same of xform, after a ray
     List list_;
     Cache prim_cache_;
     Delay tri_;
-    Delay tri_answer_delay_;                       // delays the answers to list in a fast chip
+    std::uint64_t tri_answer_delay_;               // cycles from an answer to its arrival at list
     std::uint32_t tri_hold_, tri_hold_left_ = 0;   // the same of tri, after a primitive
-    bool delays_answers_;                          // node_answer_delay_ and tri_answer_delay_ are in use
     Cache surf_or_stream_cache_;
     Shade shade_;
     Tex tex_;
@@ -271,15 +335,23 @@ private:
     Sink sink_;
     std::vector<TraceCursor> rays_;
 
+    /// A chip that is not fast, with a tree, few contexts, no test traffic, and units that accept a ray in
+    /// every cycle.
+    bool is_plain_;
+    std::uint64_t window_;   // most cycles in which the sides run alone
+    // Signals from an earlier to a later side, by cycle of the window: rays that leave list's tests, the
+    // transfers on the link ray, and rays that leave trav (the link closest, or hit).
+    std::array<LinkRay, max_window> tested_{}, started_{}, left_{};
+
     Moves moves_{};   // of the settled cycle
     CacheOutcome node_outcome_{}, prim_outcome_{}, surf_or_stream_outcome_{CacheOutcome::starved},
         tex_outcome_{CacheOutcome::starved};
     bool asleep_ = false;
 
     // Cycles by the units' codes. A cache's outcome has cause_bits; the code of shade or tex follows it.
-    std::uint32_t last_units_ = 0, last_caches_ = 0, last_surf_or_stream_ = 0;
-    std::array<std::uint64_t, 1 << UnitCodes::bits> units_{};
-    std::array<std::uint64_t, 1 << 2 * cause_bits> caches_{};   // node_cache, then prim_cache
+    std::uint32_t last_prim_side_ = 0, last_node_side_ = 0, last_ray_side_ = 0, last_surf_or_stream_ = 0;
+    std::array<std::uint64_t, 1 << (cause_bits + 2 * UnitCodes::code_bits)> prim_side_{}, node_side_{};
+    std::array<std::uint64_t, 1 << 2 * UnitCodes::code_bits> ray_side_{};
     static constexpr int outcome_and_code_bits = cause_bits + UnitCodes::code_bits;
     std::array<std::uint64_t, 1 << outcome_and_code_bits> surf_or_stream_cycles_{};   // surf_cache or stream,
                                                                                       // then shade

@@ -5,65 +5,94 @@
 namespace rayclock {
 
 // Nearly without branches: see ring.hpp. When a link is idle, its ray number is that of an arbitrary context.
-template <Pipeline::RayFeed feed, bool levels>
-[[gnu::always_inline]] inline void Pipeline::settle(Moves& m, std::uint64_t now) const {
-    constexpr bool shades = is_shaded(feed), streams = feed == RayFeed::stream;
-    // A transfer leaves one unit and enters another, so it is recorded before either gets its clock edge.
-    const bool camera = !shades || raygen_link_.second(shade_.spawn_valid());
-    const bool begins = raygen_.ready() & (raygen_hold_left_ == 0);
-    m.offer(Link::slot, sched_.slot_valid(), streams ? surf_or_stream_cache_.ready() : begins & camera,
-            sched_.slot().ray);
-    if constexpr (streams) {
-        m.record = record_addr(sched_.slot());
-        m.offer(Link::record, surf_or_stream_cache_.valid(), begins, surf_or_stream_cache_.answer());
-    }
+// A transfer leaves one unit and enters another, so it is recorded before either gets its clock edge.
+
+/// Settles the link leaves, from a node unit's answer that arrives at trav. Both sides of the link need it.
+template <bool plain>
+[[gnu::always_inline]] inline void Pipeline::settle_leaves(Moves& m, std::uint64_t now) const {
+    m.node_answer = node_unit_.answer(plain ? now : now - node_answer_delay_);
+    if (!plain && is_list_)
+        m.node_answer = {trav_.node_valid(), trav_.node_ray()};   // a page needs no memory
+    m.offer(Link::leaves, m.node_answer.valid & has_tests(m.node_answer.ray), true, m.node_answer.ray);
+}
+
+template <bool plain>
+[[gnu::always_inline]] inline void Pipeline::settle_prim_side(Moves& m, std::uint64_t now, std::size_t c) {
+    const LinkRay from_tri = tri_.answer(now);
+    m.tri_answer = plain ? from_tri : tri_.answer(now - tri_answer_delay_);
+    m.another = !TestWord{*rays_[m.tri_answer.ray].at}.is_last();
+    tested_[c] = {bool(m.tri_answer.valid & !m.another), m.tri_answer.ray};
+    settle_leaves<plain>(m, now);
+    m.offer(Link::prim_req, list_.prim_valid(), prim_cache_.ready<plain>(), list_.prim_ray<plain>());
+    m.offer(Link::tri_req, prim_cache_.valid<plain>(), tri_.ready() & !is_held<plain>(tri_hold_left_),
+            prim_cache_.answer());
+    m.offer(Link::tri_rsp, from_tri.valid, true, from_tri.ray);
+}
+
+template <Pipeline::RayFeed feed, bool levels, bool plain>
+[[gnu::always_inline]] inline void Pipeline::settle_node_side(Moves& m, std::uint64_t now, std::size_t c) {
     m.offer(Link::ray, raygen_.valid(now), trav_.ray_ready(), raygen_.front());
-    m.offer(Link::node_req, trav_.node_valid<levels>() & !is_list_, node_cache_.ready(),
-            trav_.node_ray<levels>());
+    started_[c] = m[Link::ray];
+    m.offer(Link::node_req, trav_.node_valid<levels>() & (plain || !is_list_), node_cache_.ready<plain>(),
+            trav_.node_ray<levels, plain>());
     const std::uint32_t read = node_cache_.answer();
     const bool enters = levels && VisitWord{rays_[read].head}.is_entry();
     m.lower_request = levels && is_low(read);
-    m.offer(node_unit_req, node_cache_.valid() & !enters,
-            node_unit_.ready() & ((box_hold_left_ == 0) | (m.lower_request != box_is_low_)), read);
-    if constexpr (levels) m.lower_code = node_unit_code(m, true);
+    m.offer(node_unit_req, node_cache_.valid<plain>() & !enters,
+            node_unit_.ready() & (!is_held<plain>(box_hold_left_) | (m.lower_request != box_is_low_)), read);
+    if constexpr (levels) m.lower_code = node_unit_code<plain>(m, true);
     m.read = m[node_unit_req].fires;
     if constexpr (levels) {
         const LinkRay changed = xform_.answer(now);
-        m.offer(Link::xform_req, node_cache_.valid() & enters, xform_hold_left_ == 0, read);
+        m.offer(Link::xform_req, node_cache_.valid<plain>() & enters, xform_hold_left_ == 0, read);
         m.offer(Link::change, changed.valid, true, changed.ray);
         m.read = m.read | m[Link::xform_req].fires;
         m.xform_code = (m[Link::xform_req].valid | (xform_hold_left_ > 0)) ? busy_code
                        : node_cache_.has_misses_in_flight() ? cause_code(Unit::xform, starved("memory"))
                                                             : cause_code(Unit::xform, starved("trav"));
     }
-    const LinkRay from_node_unit = node_unit_.answer(now), from_tri = tri_.answer(now);
+    const LinkRay from_node_unit = node_unit_.answer(now);
     m.lower_answer = levels && is_low(from_node_unit.ray);
-    m.node_answer = delays_answers_ ? node_answer_delay_.answer(now) : from_node_unit;
-    if (is_list_) m.node_answer = {trav_.node_valid(), trav_.node_ray()};   // a page needs no memory
-    m.tri_answer = delays_answers_ ? tri_answer_delay_.answer(now) : from_tri;
     m.offer(node_unit_rsp, from_node_unit.valid, true, from_node_unit.ray);
-    m.offer(Link::leaves, m.node_answer.valid & has_tests(m.node_answer.ray), true, m.node_answer.ray);
-    m.offer(Link::prim_req, list_.prim_valid(), prim_cache_.ready(), list_.prim_ray());
-    m.offer(Link::tri_req, prim_cache_.valid(), tri_.ready() & (tri_hold_left_ == 0), prim_cache_.answer());
-    m.offer(Link::tri_rsp, from_tri.valid, true, from_tri.ray);
+    settle_leaves<plain>(m, now);
     const bool tested = list_.tested_valid();
-    m.offer(Link::tested, tested, trav_.tested_ready(tested), list_.tested_ray());
+    m.offer(Link::tested, tested, trav_.tested_ready(tested), list_.tested_ray<plain>());
     m.step = trav_.step_valid(tested) & trav_.step_ready();
+    constexpr Link left = is_shaded(feed) ? Link::closest : Link::hit;
+    m.offer(left, trav_.done_valid(), is_shaded(feed) || sink_.ready(), trav_.done_ray<plain>());
+    left_[c] = m[left];
+}
+
+template <Pipeline::RayFeed feed, bool levels, bool plain>
+[[gnu::always_inline]] inline void Pipeline::settle_ray_side(Moves& m, std::uint64_t now) const {
+    constexpr bool shades = is_shaded(feed), streams = feed == RayFeed::stream;
+    const bool camera = !shades || raygen_link_.second(shade_.spawn_valid());
+    const bool begins = raygen_.ready() & !is_held<plain>(raygen_hold_left_);
+    m.offer(Link::slot, sched_.slot_valid(), streams ? surf_or_stream_cache_.ready<plain>() : begins & camera,
+            sched_.slot<plain>().ray);
+    if constexpr (streams) {
+        m.record = record_addr(sched_.slot());
+        m.offer(Link::record, surf_or_stream_cache_.valid<plain>(), begins, surf_or_stream_cache_.answer());
+    }
     if constexpr (shades) {
-        m.offer(Link::hit, shade_.pixel_valid(), sink_.ready(), shade_.pixel_ray());
-        m.offer(Link::closest, trav_.done_valid(), true, trav_.done_ray());
-        m.offer(Link::surf_req, shade_.surf_valid<levels>(), surf_or_stream_cache_.ready(),
-                shade_.surf_ray<levels>());
+        m.offer(Link::hit, shade_.pixel_valid(), sink_.ready(), shade_.pixel_ray<plain>());
+        m.offer(Link::surf_req, shade_.surf_valid<levels>(), surf_or_stream_cache_.ready<plain>(),
+                shade_.surf_ray<levels, plain>());
         const std::uint32_t came = surf_or_stream_cache_.answer();
         m.placing = levels && EndWord{*rays_[came].at}.is_place();
-        m.offer(Link::surf_rsp, surf_or_stream_cache_.valid(), shade_.ready() | m.placing, came);
-        m.offer(Link::spawn, shade_.spawn_valid(), begins & !camera, shade_.spawn_ray());
-        m.shade_code = shade_.code(surf_or_stream_cache_.valid() & !m.placing,
+        m.offer(Link::surf_rsp, surf_or_stream_cache_.valid<plain>(), shade_.ready() | m.placing, came);
+        m.offer(Link::spawn, shade_.spawn_valid(), begins & !camera, shade_.spawn_ray<plain>());
+        m.shade_code = shade_.code(surf_or_stream_cache_.valid<plain>() & !m.placing,
                                    surf_or_stream_cache_.has_misses_in_flight());
         if constexpr (feed == RayFeed::textured) settle_tex(m, now);
-    } else {
-        m.offer(Link::hit, trav_.done_valid(), sink_.ready(), trav_.done_ray());
     }
+}
+
+template <Pipeline::RayFeed feed, bool levels>
+[[gnu::always_inline]] inline void Pipeline::settle(Moves& m, std::uint64_t now) {
+    settle_prim_side<false>(m, now, 0);
+    settle_node_side<feed, levels, false>(m, now, 0);
+    settle_ray_side<feed, levels, false>(m, now);
 }
 
 inline void Pipeline::settle_tex(Moves& m, std::uint64_t now) const {
@@ -79,25 +108,34 @@ inline void Pipeline::settle_tex(Moves& m, std::uint64_t now) const {
                                                      : cause_code(Unit::tex, starved("shade"));
 }
 
-template <Pipeline::RayFeed feed> [[gnu::always_inline]] inline void Pipeline::account_units(const Moves& m) {
-    const auto progress = [&m](Link link) { return m[link].valid + m[link].fires; };
+template <bool plain>
+[[gnu::always_inline]] inline std::uint32_t Pipeline::prim_side_codes(const Moves& m) const {
+    const LinkInside& req = m[Link::tri_req];
+    UnitCodes codes;
+    codes.first = (m[Link::leaves].fires | m[Link::tri_rsp].fires) ? busy_code : list_starved;
+    codes.second =
+        is_held<plain>(tri_hold_left_)
+            ? busy_code
+            : tri_codes[std::size_t(req.valid + req.fires + 3 * prim_cache_.has_misses_in_flight())];
+    return codes.packed();
+}
+
+template <bool plain>
+[[gnu::always_inline]] inline std::uint32_t Pipeline::node_side_codes(const Moves& m) const {
+    const std::size_t turn = trav_.step_valid(m[Link::tested].valid), free = trav_.step_ready();
+    return UnitCodes{trav_codes[turn + 2 * free], node_unit_code<plain>(m, false)}.packed();
+}
+
+template <Pipeline::RayFeed feed, bool plain>
+[[gnu::always_inline]] inline std::uint32_t Pipeline::ray_side_codes(const Moves& m) const {
     constexpr bool shades = is_shaded(feed);
     constexpr Link first = feed == RayFeed::stream ? Link::record : Link::slot;
     const bool asked = m[first].valid | (shades && m[Link::spawn].valid),
                begun = m[first].fires | (shades && m[Link::spawn].fires);
-    const std::size_t turn = trav_.step_valid(m[Link::tested].valid), free = trav_.step_ready();
     UnitCodes codes;
-    codes.sched = sched_codes[std::size_t(sched_.pixel_valid() + progress(Link::slot))];
-    codes.raygen = raygen_hold_left_ > 0 ? busy_code : raygen_codes[std::size_t(asked + begun)];
-    codes.trav = trav_codes[turn + 2 * free];
-    codes.node_unit = node_unit_code(m, false);
-    codes.list = (m[Link::leaves].fires | m[Link::tri_rsp].fires) ? busy_code : list_starved;
-    codes.tri =
-        tri_hold_left_ > 0
-            ? busy_code
-            : tri_codes[std::size_t(progress(Link::tri_req) + 3 * prim_cache_.has_misses_in_flight())];
-    last_units_ = codes.packed();
-    ++units_[last_units_];
+    codes.first = sched_codes[std::size_t(sched_.pixel_valid() + m[Link::slot].valid + m[Link::slot].fires)];
+    codes.second = is_held<plain>(raygen_hold_left_) ? busy_code : raygen_codes[std::size_t(asked + begun)];
+    return codes.packed();
 }
 
 inline Decision::Flags Pipeline::decide(std::uint32_t ray, bool valid) {
@@ -119,18 +157,11 @@ inline void Pipeline::enter(const LinkInside& change) {
     if (change.fires) cursor.head = *cursor.at;
 }
 
-inline bool Pipeline::has_more(std::uint32_t ray, bool tested) {
-    TraceCursor& cursor = rays_[ray];
-    const bool more = !TestWord{*cursor.at}.is_last();
-    cursor.at += more & tested;
-    return more;
-}
-
-template <Pipeline::RayFeed feed>
-[[gnu::always_inline]] inline void Pipeline::clock_sched(const Moves& m, const Tile* tile) {
+template <Pipeline::RayFeed feed, bool plain>
+[[gnu::always_inline]] inline void Pipeline::clock_sched(const Moves& m, std::size_t c, const Tile* tile) {
     const bool slot = m[Link::slot].fires;
     if (slot) {
-        const Slot given = sched_.slot();
+        const Slot given = sched_.slot<plain>();
         TraceCursor& cursor = rays_[given.ray];
         cursor.at = ray_at(*trace_, given.x, given.y);
         cursor.head = *cursor.at;
@@ -139,64 +170,71 @@ template <Pipeline::RayFeed feed>
         const bool second = raygen_link_.second(shade_.spawn_valid());
         raygen_link_.clock(shade_.spawn_valid() | sched_.slot_valid(), slot | m[Link::spawn].fires, second);
     }
-    sched_.clock(slot, tile, m[Link::hit]);
-    sink_.clock();
+    sched_.clock<plain>(slot, tile, is_shaded(feed) ? LinkRay(m[Link::hit]) : left_[c]);
+    if constexpr (!plain) sink_.clock();
 }
 
-template <Pipeline::RayFeed feed>
-[[gnu::always_inline]] inline void Pipeline::clock_raygen(const Moves& m, std::uint64_t now) {
+template <Pipeline::RayFeed feed, bool plain>
+[[gnu::always_inline]] inline void Pipeline::clock_raygen(const Moves& m, std::uint64_t now, std::size_t c) {
     LinkRay in = m[feed == RayFeed::stream ? Link::record : Link::slot];
     if constexpr (is_shaded(feed)) {
         const LinkInside& spawn = m[Link::spawn];
         in = {bool(in.valid | spawn.fires), select(spawn.fires, spawn.ray, in.ray)};
     }
-    raygen_.clock(now, m[Link::ray].fires, in.valid, RayNumber(in.ray));
-    raygen_hold_left_ = select(in.valid, raygen_hold_, raygen_hold_left_ - (raygen_hold_left_ > 0));
+    raygen_.admit(now, started_[c].valid, in.valid, RayNumber(in.ray));
+    if constexpr (!plain)
+        raygen_hold_left_ = select(in.valid, raygen_hold_, raygen_hold_left_ - (raygen_hold_left_ > 0));
 }
 
-template <Pipeline::RayFeed feed, bool levels>
+template <Pipeline::RayFeed feed, bool levels, bool plain>
 [[gnu::always_inline]] inline void Pipeline::clock_trav(const Moves& m) {
     const LinkInside& tested = m[Link::tested];
     if constexpr (levels) enter(m[Link::change]);
-    trav_.clock<levels>({m[Link::ray],
-                         {bool(m.node_answer.valid & !m[Link::leaves].fires), m.node_answer.ray},
-                         {tested.valid, tested.ray},
-                         is_list_ ? m.node_answer.valid : m[Link::node_req].fires,
-                         m[is_shaded(feed) ? Link::closest : Link::hit].fires,
-                         levels ? LinkRay(m[Link::change]) : LinkRay{}},
-                        [this](std::uint32_t ray, bool valid) { return decide(ray, valid); });
+    trav_.clock<levels, plain>({m[Link::ray],
+                                {bool(m.node_answer.valid & !m[Link::leaves].fires), m.node_answer.ray},
+                                {tested.valid, tested.ray},
+                                !plain && is_list_ ? m.node_answer.valid : m[Link::node_req].fires,
+                                m[is_shaded(feed) ? Link::closest : Link::hit].fires,
+                                levels ? LinkRay(m[Link::change]) : LinkRay{}},
+                               [this](std::uint32_t ray, bool valid) { return decide(ray, valid); });
 }
 
-[[gnu::always_inline]] inline void Pipeline::clock_node_cache(const Moves& m, const SharedMoves& shared) {
+template <bool plain>
+[[gnu::always_inline]] inline void Pipeline::clock_node_cache(const Moves& m, std::uint64_t now,
+                                                              const std::uint32_t* fill) {
     const LinkInside& req = m[Link::node_req];
-    node_outcome_ = node_cache_.clock(req.fires, {req.ray, node_addr(req.ray)}, m.read, shared.node_fill,
-                                      shared.node_miss);
+    node_outcome_ = node_cache_.clock<plain>(req.fires, {req.ray, node_addr(req.ray)}, m.read, fill, now);
 }
 
+template <bool plain>
 [[gnu::always_inline]] inline void Pipeline::clock_node_unit(const Moves& m, std::uint64_t now) {
     node_unit_.clock(now, m[node_unit_req]);
+    if constexpr (plain) return;
     box_hold_left_ = select(m[node_unit_req].fires & (m.lower_request == box_is_low_), box_hold_,
                             box_hold_left_ - (box_hold_left_ > 0));
-    if (delays_answers_) node_answer_delay_.clock(now, m[node_unit_rsp]);
 }
 
-[[gnu::always_inline]] inline void Pipeline::clock_list(const Moves& m) {
+template <bool plain> [[gnu::always_inline]] inline void Pipeline::clock_list(const Moves& m) {
     const LinkInside& leaves = m[Link::leaves];
     rays_[leaves.ray].at += leaves.fires;   // to the first triangle
-    list_.clock(leaves, m.tri_answer, has_more(m.tri_answer.ray, m.tri_answer.valid), m[Link::prim_req].fires,
-                m[Link::tested].fires);
+    const LinkRay next{bool(m.tri_answer.valid & m.another), m.tri_answer.ray};
+    rays_[next.ray].at += next.valid;
+    list_.clock_prims<plain>(leaves, next, m[Link::prim_req].fires);
 }
 
-[[gnu::always_inline]] inline void Pipeline::clock_prim_cache(const Moves& m, const SharedMoves& shared) {
+template <bool plain>
+[[gnu::always_inline]] inline void Pipeline::clock_prim_cache(const Moves& m, std::uint64_t now,
+                                                              const std::uint32_t* fill) {
     const LinkInside& req = m[Link::prim_req];
-    prim_outcome_ = prim_cache_.clock(req.fires, {req.ray, prim_addr(req.ray) >> 1}, m[Link::tri_req].fires,
-                                      shared.prim_fill, shared.prim_miss);
+    prim_outcome_ = prim_cache_.clock<plain>(req.fires, {req.ray, prim_addr(req.ray) >> 1},
+                                             m[Link::tri_req].fires, fill, now);
 }
 
+template <bool plain>
 [[gnu::always_inline]] inline void Pipeline::clock_tri(const Moves& m, std::uint64_t now) {
     tri_.clock(now, m[Link::tri_req]);
+    if constexpr (plain) return;
     tri_hold_left_ = select(m[Link::tri_req].fires, tri_hold_, tri_hold_left_ - (tri_hold_left_ > 0));
-    if (delays_answers_) tri_answer_delay_.clock(now, m[Link::tri_rsp]);
 }
 
 [[gnu::always_inline]] inline void Pipeline::clock_xform(const Moves& m, std::uint64_t now) {
@@ -209,47 +247,70 @@ template <Pipeline::RayFeed feed, bool levels>
     xform_hold_left_ = select(req.fires, xform_hold_, xform_hold_left_ - (xform_hold_left_ > 0));
 }
 
+template <bool plain>
+[[gnu::always_inline]] inline void Pipeline::clock_prim_side(const Moves& m, std::uint64_t now,
+                                                             const std::uint32_t* fill) {
+    const std::uint32_t codes = prim_side_codes<plain>(m);
+    clock_list<plain>(m);
+    clock_prim_cache<plain>(m, now, fill);
+    clock_tri<plain>(m, now);
+    account_prim_side(codes);
+}
+
+template <Pipeline::RayFeed feed, bool levels, bool plain>
+[[gnu::always_inline]] inline void Pipeline::clock_node_side(const Moves& m, std::uint64_t now, std::size_t c,
+                                                             const std::uint32_t* fill) {
+    const std::uint32_t codes = node_side_codes<plain>(m);
+    raygen_.take(m[Link::ray].fires);
+    list_.clock_tested<plain>(tested_[c], m[Link::tested].fires);
+    clock_trav<feed, levels, plain>(m);
+    if constexpr (levels) clock_xform(m, now);
+    clock_node_cache<plain>(m, now, fill);
+    clock_node_unit<plain>(m, now);
+    account_node_side(codes);
+}
+
+template <Pipeline::RayFeed feed, bool levels, bool plain>
+[[gnu::always_inline]] inline void Pipeline::clock_ray_side(const Moves& m, std::uint64_t now, std::size_t c,
+                                                            const Tile* tile, const std::uint32_t* fill,
+                                                            const std::uint32_t* tex_fill) {
+    account_ray_side(ray_side_codes<feed, plain>(m));
+    clock_sched<feed, plain>(m, c, tile);
+    clock_raygen<feed, plain>(m, now, c);
+    if constexpr (feed == RayFeed::stream) clock_stream(m, now, fill);
+    if constexpr (is_shaded(feed)) {
+        clock_surf_cache(m, now, fill);
+        clock_shade<feed, levels, plain>(m, now, c);
+        if constexpr (feed == RayFeed::textured) clock_tex(m, now, tex_fill);
+    }
+}
+
 template <Pipeline::RayFeed feed, bool levels>
 [[gnu::always_inline]] inline void Pipeline::clock(const Moves& m, std::uint64_t now,
                                                    const SharedMoves& shared) {
-    account_units<feed>(m);
-    const bool turning = !trav_.idle() | sched_.passing() | m.node_answer.valid | m.tri_answer.valid |
-                         (raygen_hold_left_ > 0) | (box_hold_left_ > 0) | (tri_hold_left_ > 0) |
-                         (levels && xform_hold_left_ > 0);
-    clock_sched<feed>(m, shared.tile);
-    clock_raygen<feed>(m, now);
-    clock_trav<feed, levels>(m);
-    if constexpr (levels) clock_xform(m, now);
-    clock_node_cache(m, shared);
-    clock_node_unit(m, now);
-    clock_list(m);
-    clock_prim_cache(m, shared);
-    clock_tri(m, now);
-    account_caches();
-    asleep_ = (node_outcome_ > CacheOutcome::drain) & (prim_outcome_ > CacheOutcome::drain) &
-              !node_cache_.loaded() & !prim_cache_.loaded() &
-              !(turning | m.step | shared.any() |
-                m.any(Link::slot, Link::ray, Link::node_req, node_unit_req, node_unit_rsp, Link::prim_req,
-                      Link::tri_req, Link::tri_rsp, Link::hit));
-    if constexpr (levels) asleep_ = asleep_ & !m.any(Link::xform_req, Link::change);
-    if constexpr (feed == RayFeed::stream) {
-        clock_stream(m, shared);
-        asleep_ = asleep_ & !m.any(Link::record) & (surf_or_stream_outcome_ > CacheOutcome::drain) &
-                  !surf_or_stream_cache_.loaded();
-    }
-    if constexpr (is_shaded(feed)) {
-        asleep_ = asleep_ & !shade_.answers(now) & !shade_.offers(false) & !shade_.is_occupied() &
-                  !shade_.comes() & !m.any(Link::closest, Link::surf_req, Link::surf_rsp, Link::spawn);
-        clock_surf_cache(m, shared);
-        clock_shade<feed, levels>(m, now);
-        asleep_ = asleep_ & (surf_or_stream_outcome_ > CacheOutcome::drain) & !surf_or_stream_cache_.loaded();
-        if constexpr (feed == RayFeed::textured) {
-            asleep_ = asleep_ & tex_.is_idle(now) &
-                      !m.any(Link::tex_req, Link::texel_req, Link::texel_rsp, Link::tex_rsp);
-            clock_tex(m, now, shared);
-            asleep_ = asleep_ & (tex_outcome_ > CacheOutcome::drain) & !tex_cache_.loaded();
-        }
-    }
+    bool still =
+        !(!trav_.idle() | sched_.passing() | m.node_answer.valid | m.tri_answer.valid |
+          (raygen_hold_left_ > 0) | (box_hold_left_ > 0) | (tri_hold_left_ > 0) | m.step | shared.any() |
+          m.any(Link::slot, Link::ray, Link::node_req, node_unit_req, node_unit_rsp, Link::prim_req,
+                Link::tri_req, Link::tri_rsp, Link::hit));
+    if constexpr (levels) still = still & (xform_hold_left_ == 0) & !m.any(Link::xform_req, Link::change);
+    if constexpr (feed == RayFeed::stream) still = still & !m.any(Link::record);
+    if constexpr (is_shaded(feed))
+        still = still & !shade_.answers(now) & !shade_.offers(false) & !shade_.is_occupied() &
+                !shade_.comes() & !m.any(Link::closest, Link::surf_req, Link::surf_rsp, Link::spawn);
+    if constexpr (feed == RayFeed::textured)
+        still = still & tex_.is_idle(now) &
+                !m.any(Link::tex_req, Link::texel_req, Link::texel_rsp, Link::tex_rsp);
+    clock_prim_side<false>(m, now, shared.prim_fill);
+    clock_node_side<feed, levels, false>(m, now, 0, shared.node_fill);
+    clock_ray_side<feed, levels, false>(m, now, 0, shared.tile, shared.surf_or_stream_fill, shared.tex_fill);
+    const auto rests = [](CacheOutcome outcome, const Cache& cache) {
+        return (outcome > CacheOutcome::drain) & !cache.loaded();
+    };
+    asleep_ = still & rests(node_outcome_, node_cache_) & rests(prim_outcome_, prim_cache_);
+    if constexpr (feed != RayFeed::camera)
+        asleep_ = asleep_ & rests(surf_or_stream_outcome_, surf_or_stream_cache_);
+    if constexpr (feed == RayFeed::textured) asleep_ = asleep_ & rests(tex_outcome_, tex_cache_);
 }
 
 template <Pipeline::RayFeed feed, bool levels>
@@ -262,6 +323,41 @@ inline bool Pipeline::step(std::uint64_t now, const SharedMoves& shared) {
 
 inline bool Pipeline::step(std::uint64_t now, const SharedMoves& shared) {
     return with_shape([&]<RayFeed feed, bool levels>() { return step<feed, levels>(now, shared); });
+}
+
+template <Pipeline::RayFeed feed, bool levels, bool plain>
+inline std::uint32_t Pipeline::run(std::uint64_t now, std::uint64_t cycles,
+                                   const std::array<Fills, 4>& fills) {
+    for (std::size_t c = 0; c < cycles; ++c) {
+        Moves m;
+        settle_prim_side<plain>(m, now + c, c);
+        clock_prim_side<plain>(m, now + c, nullptr);
+        if (const std::uint32_t* fill = fills[1].at(c)) [[unlikely]]
+            prim_cache_.fill(*fill);
+    }
+    for (std::size_t c = 0; c < cycles; ++c) {
+        Moves m;
+        settle_node_side<feed, levels, plain>(m, now + c, c);
+        clock_node_side<feed, levels, plain>(m, now + c, c, nullptr);
+        if (const std::uint32_t* fill = fills[0].at(c)) [[unlikely]]
+            node_cache_.fill(*fill);
+    }
+    std::uint32_t hits = 0;
+    for (std::size_t c = 0; c < cycles; ++c) {
+        Moves m;
+        settle_ray_side<feed, levels, plain>(m, now + c);
+        clock_ray_side<feed, levels, plain>(m, now + c, c, nullptr, fills[2].at(c), fills[3].at(c));
+        hits += is_shaded(feed) ? m[Link::hit].fires : left_[c].valid;
+    }
+    return hits;
+}
+
+inline std::uint32_t Pipeline::run(std::uint64_t now, std::uint64_t cycles,
+                                   const std::array<Fills, 4>& fills) {
+    return with_shape([&]<RayFeed feed, bool levels>() {
+        return is_plain_ ? run<feed, levels, true>(now, cycles, fills)
+                         : run<feed, levels, false>(now, cycles, fills);
+    });
 }
 
 }   // namespace rayclock

@@ -55,7 +55,8 @@ Cache::Cache(const CacheShape& shape)
     }
 }
 
-CacheOutcome Cache::allocate_mshr(const Request& request, std::uint32_t line, std::uint32_t number) {
+CacheOutcome Cache::allocate_mshr(const Request& request, std::uint32_t line, std::uint32_t number,
+                                  std::uint64_t now) {
     if (busy_ == shape_.mshrs) return CacheOutcome::mshrs;
     Set& set = sets_[number];
     const int way = victim(set);
@@ -67,7 +68,7 @@ CacheOutcome Cache::allocate_mshr(const Request& request, std::uint32_t line, st
     set.lines[std::size_t(way)] = line + 1;
     set.mshrs[std::size_t(way)] = std::uint8_t(m + 1);
     set.recent = touched(set, std::uint32_t(way));
-    misses_.push(m);
+    misses_.push({m, now});
     in_.pop();
     return CacheOutcome::miss;
 }
@@ -111,12 +112,6 @@ CacheOutcome Cache::drain(bool room, bool answer_taken) {
         m.head = next_[m.head];
     }
     return CacheOutcome::drain;
-}
-
-void Cache::next_word() {
-    if (++miss_word_ < std::uint32_t(shape_.words)) return;
-    misses_.pop();
-    miss_word_ = 0;
 }
 
 void Cache::fill(std::uint32_t id) {

@@ -2,6 +2,7 @@
 // The caches of the machine, cycle by cycle.
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -63,36 +64,52 @@ public:
 
     explicit Cache(const CacheShape& shape);
 
-    bool ready() const { return !(shape_.cut ? input_queue_.full() : in_.full()); }
-    bool valid() const { return answers_.size() > std::uint32_t(read_) + std::uint32_t(reading_); }
+    // `uncut`: the caller knows that the shape has no `cut`.
+    template <bool uncut = false> bool ready() const {
+        return !(!uncut && shape_.cut ? input_queue_.full() : in_.full());
+    }
+    template <bool uncut = false> bool valid() const {
+        return answers_.size() > std::uint32_t(read_) + std::uint32_t(!uncut && reading_);
+    }
     std::uint32_t answer() const { return answers_.front(); }   ///< id of the answered request
-    bool miss_valid() const { return !misses_.empty(); }
+    /// True if a request to memory is on offer in cycle `now` of clock().
+    bool miss_valid(std::uint64_t now = ~std::uint64_t(0)) const {
+        return !misses_.empty() && misses_.front().since < now;
+    }
     Miss miss() const {
-        const std::uint32_t m = misses_.front();
+        const std::uint32_t m = misses_.front().mshr;
         return {m << word_bits_ | miss_word_, mshrs_[m].line << word_bits_ | miss_word_};
     }
 
     /// One clock edge. `asked`: `request` was accepted. `fill_id`: the id of the word that came, or null.
-    /// `answer_taken`, `miss_taken`: these outputs were accepted.
-    CacheOutcome clock(bool asked, const Request& request, bool answer_taken, const std::uint32_t* fill_id,
-                       bool miss_taken) {
+    /// `answer_taken`: this output was accepted. `now`: the number of the cycle, if miss_valid() needs it.
+    template <bool uncut = false> CacheOutcome clock(bool asked, const Request& request, bool answer_taken,
+                                                     const std::uint32_t* fill_id, std::uint64_t now = 0) {
         // Look-ups, drains and the room for answers depend on the state at the beginning of the cycle.
         const bool room = !answers_.full();
         CacheOutcome outcome;
         if (!filled_.empty()) [[unlikely]]
             outcome = drain(room, answer_taken);
         else
-            outcome = look_up(room, answer_taken);
-        if (miss_taken) [[unlikely]]
-            next_word();
+            outcome = look_up<uncut>(room, answer_taken, now);
         if (fill_id) [[unlikely]]
             fill(*fill_id);
-        if (shape_.cut)
+        if (!uncut && shape_.cut)
             load(asked, request);
         else
             in_.push(request, asked);
         return outcome;
     }
+
+    /// The offered request to memory was accepted. Call it before or after the cycle's clock().
+    void take_miss() {
+        if (++miss_word_ < std::uint32_t(shape_.words)) return;
+        misses_.pop();
+        miss_word_ = 0;
+    }
+
+    /// A word came from memory, in the cycle of the last clock() without a fill.
+    void fill(std::uint32_t id);
 
     /// Looks up a word in no simulated time, for samples of a frame. If its line is absent, it immediately
     /// replaces another one. Returns true if the line was present.
@@ -117,12 +134,13 @@ private:
         std::array<std::uint8_t, max_ways> mshrs{};    ///< + 1; 0: the line is present
         std::uint8_t recent = 0;                       ///< bits of the tree, node 1 at bit 1
     };
-    CacheOutcome look_up(bool room, bool answer_taken);
+    template <bool uncut> CacheOutcome look_up(bool room, bool answer_taken, std::uint64_t now);
+    std::uint32_t place_of(const Set& set, std::uint32_t line) const;
     CacheOutcome drain(bool room, bool answer_taken);
-    void answer(bool taken, bool given, std::uint32_t id) {
+    template <bool uncut = false> void answer(bool taken, bool given, std::uint32_t id) {
         answers_.pop(taken);
         answers_.push(id, given);
-        reading_ = read_ & (shape_.cut != 0);
+        if (!uncut) reading_ = read_ & (shape_.cut != 0);
         read_ = given;
     }
     /// Moves the head of the queue to its look-up, if that is free.
@@ -132,10 +150,9 @@ private:
         input_queue_.pop(loaded_);
         input_queue_.push(request, asked);
     }
-    CacheOutcome allocate_mshr(const Request& request, std::uint32_t line, std::uint32_t set);
+    CacheOutcome allocate_mshr(const Request& request, std::uint32_t line, std::uint32_t set,
+                               std::uint64_t now);
     CacheOutcome merge_into_mshr(const Request& request, Set& set, std::uint32_t way);
-    void next_word();
-    void fill(std::uint32_t id);
     int victim(const Set& set) const;
 
     // A bit of the tree points to the half that was used longer ago. Using a way turns the bits above it away
@@ -154,28 +171,48 @@ private:
     std::vector<std::uint32_t> next_;   ///< [id]: the next request in its chain
     // With `cut`, input_queue_ lies before the request that is looked up.
     Ring<Request, 2> in_, input_queue_{2};
-    Ring<std::uint32_t> misses_, filled_;
+    struct Waiting {
+        std::uint32_t mshr = 0;
+        std::uint64_t since = 0;   ///< cycle of the look-up
+    };
+    Ring<Waiting> misses_;
+    Ring<std::uint32_t> filled_;
     std::uint32_t miss_word_ = 0;
     bool loaded_ = false;
     Ring<std::uint32_t> answers_;
     bool read_ = false, reading_ = false;   // the last answer, and the one before, are still being read
 };
 
-inline CacheOutcome Cache::look_up(bool room, bool answer_taken) {
+/// Returns the way that holds this line, + 1; 0 if there is none. At most one way does.
+inline std::uint32_t Cache::place_of(const Set& set, std::uint32_t line) const {
+    using Four = std::uint32_t __attribute__((vector_size(16)));
+    const auto among = [line](const std::uint32_t* lines, Four numbers) {
+        Four held;
+        std::memcpy(&held, lines, sizeof held);
+        Four place = Four(held == line + 1) & numbers;
+        place |= __builtin_shufflevector(place, place, 2, 3, 0, 1);
+        place |= __builtin_shufflevector(place, place, 1, 0, 3, 2);
+        return place[0];
+    };
+    std::uint32_t place = among(set.lines.data(), Four{1, 2, 3, 4});
+    if (shape_.ways > 4) place |= among(set.lines.data() + 4, Four{5, 6, 7, 8});
+    return place;
+}
+
+template <bool uncut> inline CacheOutcome Cache::look_up(bool room, bool answer_taken, std::uint64_t now) {
     const Request request = in_.front();
     const bool some = !in_.empty();
     const std::uint32_t line = request.addr >> word_bits_, number = line & set_mask_;
     Set& set = sets_[number];
-    std::uint32_t place = 0;   // way that holds the line, + 1; at most one way does
-    for (std::uint32_t w = 0; w < max_ways; ++w) place |= set.lines[w] == line + 1 ? w + 1 : 0;
+    const std::uint32_t place = place_of(set, line);
     const bool found = place != 0;
     const std::uint32_t way = place - found;
     const bool hit = some & room & found & (set.mshrs[way] == 0);
-    answer(answer_taken, hit, request.id);
+    answer<uncut>(answer_taken, hit, request.id);
     set.recent = std::uint8_t(select(hit, touched(set, way), set.recent));
     in_.pop(hit);
     if (some & room & !hit) [[unlikely]]
-        return found ? merge_into_mshr(request, set, way) : allocate_mshr(request, line, number);
+        return found ? merge_into_mshr(request, set, way) : allocate_mshr(request, line, number, now);
     return !some ? CacheOutcome::starved : room ? CacheOutcome::hit : CacheOutcome::answers;
 }
 

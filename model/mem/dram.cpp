@@ -15,6 +15,9 @@ Dram::Dram(const DramPart& part, int khz, int ids)
     : part_(part),
       khz_(std::uint64_t(khz)),
       tck_(std::uint64_t(part.tck)),
+      known_((std::uint64_t(part.cl + part.burst_clocks()) * tck_ + std::uint64_t(part.answer_ps)) * khz_ /
+                 giga +
+             1),
       trefi_(part.trefi / part.tck),
       banks_(part),
       refresh_at_(trefi_),

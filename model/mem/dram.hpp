@@ -74,6 +74,20 @@ public:
     /// Has the effect of that many calls of clock(nullptr); must not go beyond quiet_until().
     void skip(std::uint64_t cycles);
 
+    /// Returns the number of cycles, from the current one on, whose answers are known whatever is requested
+    /// in them. Data of a command that is not yet given come at least `known_` cycles after the command.
+    std::uint64_t known() const { return known_; }
+    /// Calls `f(cycle, id)` for the answers of the next `cycles` cycles, at most known().
+    template <class F> void each_known(std::uint64_t cycles, F&& f) const {
+        if (valid_) f(std::size_t(0), answer_.id);
+        std::uint64_t at = now_ + 1;   // at most one answer in a cycle
+        for (std::size_t i = 0; i < answers_.size(); ++i, ++at) {
+            at = std::max(at, answers_.at(i).cycle);
+            if (at >= now_ + cycles) return;
+            f(std::size_t(at - now_), answers_.at(i).what.id);
+        }
+    }
+
     const DramStatistics& statistics() const { return statistics_; }
     DramCause last_cause() const { return last_cause_; }   ///< of the cycle that clock() ended
     /// Cycles with this cause; all causes together give now().
@@ -129,6 +143,7 @@ private:
 
     DramPart part_;
     std::uint64_t khz_, tck_;
+    std::uint64_t known_;
     std::int64_t trefi_;       // clocks, rounded down
     std::int64_t clock_ = 0;   // of the last event
     DramBanks banks_;

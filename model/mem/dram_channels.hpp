@@ -28,6 +28,11 @@ public:
     std::uint64_t quiet_until() const;
     void skip(std::uint64_t cycles);
 
+    std::uint64_t known() const { return count_ == 1 ? channels_[0].known() : 1; }
+    template <class F> void each_known(std::uint64_t cycles, F&& f) const {
+        channels_[0].each_known(cycles, f);   // of one channel
+    }
+
     DramStatistics statistics() const;   ///< summed over the channels
     /// Cycles by the first cause that holds in any channel.
     std::uint64_t cycles(DramCause cause) const {

@@ -97,6 +97,25 @@ public:
     /// Has the effect of that many calls of clock(nullptr); must not go beyond quiet_until().
     void skip(std::uint64_t cycles);
 
+    /// Returns the number of cycles, from the current one on, whose answers are known whatever is requested
+    /// in them; at least 1.
+    std::uint64_t known() const {
+        if (disturbed_ || frame_buffer_ || board_ || left_ > 0) return 1;
+        return dram_ ? dram_->known() : ideal_.known();
+    }
+    /// Calls `f(cycle, id)` for the answers of the next `cycles` cycles, at most known().
+    template <class F> void each_known(std::uint64_t cycles, F&& f) const {
+        if (dram_)
+            dram_->each_known(cycles, f);
+        else
+            ideal_.each_known(cycles, f);
+    }
+    /// Returns a number of cycles that skip() may pass in one step: with known() above 1, and valid() false.
+    std::uint64_t still() const {
+        if (sleeping_) return ~std::uint64_t(0);
+        return dram_ ? 1 : ideal_.quiet_until() - ideal_.now();
+    }
+
 private:
     struct DelayedAnswer {
         Answer what;

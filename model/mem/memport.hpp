@@ -1,5 +1,6 @@
 #pragma once
 // The ideal memory, and the traffic that tests add to memory and sinks.
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -48,6 +49,19 @@ public:
         return now_ < next_free_ && next_free_ < answer ? next_free_ : answer;
     }
     void skip(std::uint64_t cycles) { now_ += cycles; }
+    std::uint64_t now() const { return now_; }
+
+    /// Returns the number of cycles whose answers are known, from the current one on.
+    std::uint64_t known() const { return latency_; }
+    /// Calls `f(cycle, id)` for the answers of the next `cycles` cycles, at most known().
+    template <class F> void each_known(std::uint64_t cycles, F&& f) const {
+        std::uint64_t at = now_;   // at most one answer in a cycle
+        for (std::size_t i = 0; i < pending_.size(); ++i, ++at) {
+            at = std::max(at, pending_.at(i).due);
+            if (at >= now_ + cycles) return;
+            f(std::size_t(at - now_), pending_.at(i).what.id);
+        }
+    }
 
 private:
     struct Pending {

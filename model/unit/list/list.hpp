@@ -17,12 +17,12 @@ public:
         : next_(config.contexts), first_(config.contexts), tested_(config.contexts) {}
 
     bool prim_valid() const { return !next_.empty() | !first_.empty(); }
-    std::uint32_t prim_ray() const {
-        const RayNumber first = first_.front(), next = next_.front();
+    template <bool few = false> std::uint32_t prim_ray() const {
+        const RayNumber first = first_.front<few>(), next = next_.front<few>();
         return select(starting(), first, next);
     }
     bool tested_valid() const { return !tested_.empty(); }
-    std::uint32_t tested_ray() const { return tested_.front(); }
+    template <bool few = false> std::uint32_t tested_ray() const { return tested_.front<few>(); }
 
     const char* where(std::uint32_t ray) const {
         return next_.contains(RayNumber(ray)) || first_.contains(RayNumber(ray))
@@ -31,18 +31,22 @@ public:
                                                   : nullptr;
     }
 
-    /// One clock edge. `leaves`, `tri`: the rays that arrived with leaves and from tri. `tri_prim`: tri's ray
-    /// has another triangle to test. The last two: these outputs were accepted.
-    void clock(LinkRay leaves, LinkRay tri, bool tri_prim, bool prim_taken, bool tested_taken) {
+    /// One clock edge of the queues before prim_cache. `leaves`, `next`: the rays that arrived with leaves,
+    /// and from tri with another triangle to test. `prim_taken`: the output was accepted.
+    template <bool few = false> void clock_prims(LinkRay leaves, LinkRay next, bool prim_taken) {
         // Pops come before pushes: a queue shows a new entry in the next cycle.
         const bool start = starting();
         prim_link_.clock(prim_valid(), prim_taken, start);
         first_.pop(prim_taken & start);
         next_.pop(prim_taken & !start);
-        tested_.pop(tested_taken);
-        next_.push(RayNumber(tri.ray), tri.valid & tri_prim);
-        tested_.push(RayNumber(tri.ray), tri.valid & !tri_prim);
-        first_.push(RayNumber(leaves.ray), leaves.valid);
+        next_.push<few>(RayNumber(next.ray), next.valid);
+        first_.push<few>(RayNumber(leaves.ray), leaves.valid);
+    }
+    /// One clock edge of the queue before trav. `tested`: the ray that arrived from tri with its last
+    /// triangle. `taken`: the output was accepted.
+    template <bool few = false> void clock_tested(LinkRay tested, bool taken) {
+        tested_.pop(taken);
+        tested_.push<few>(RayNumber(tested.ray), tested.valid);
     }
 
 private:

@@ -33,19 +33,21 @@ public:
         select_pixel();
     }
     bool tile_ready() const { return !tiles_.full(); }
+    /// Returns the number of cycles from now on in which tile_ready() is certainly false, and at least 1.
+    std::uint64_t before_tile() const { return tile_ready() ? 1 : std::uint64_t(last_ - at_) + 1; }
     /// pixel_valid(): a pixel of the picture is next; passing(): one outside the picture.
     bool pixel_valid() const { return inside_; }
     bool passing() const { return outside_; }
     bool slot_valid() const { return inside_ & !free_.empty(); }
-    Slot slot() const { return {free_.front(), x_, y_}; }
+    template <bool few = false> Slot slot() const { return {free_.front<few>(), x_, y_}; }
     const Slot& pixel(std::uint32_t ray) const { return pixels_[ray]; }
     bool in_use(std::uint32_t ray) const { return !free_.contains(RayNumber(ray)); }
 
     /// One clock edge. `slot_taken`: the slot was accepted. `tile`: the tile that arrived, or null. `hit`:
     /// the context whose hit left.
-    void clock(bool slot_taken, const Tile* tile, LinkRay hit) {
+    template <bool few = false> void clock(bool slot_taken, const Tile* tile, LinkRay hit) {
         if (slot_taken) {
-            pixels_[free_.front()] = slot();
+            pixels_[free_.front<few>()] = slot<few>();
             free_.pop();
         }
         if (slot_taken || outside_) {
@@ -57,7 +59,7 @@ public:
             tiles_.push(*tile);
             if (tiles_.size() == 1) select_pixel();
         }
-        free_.push(RayNumber(hit.ray), hit.valid);
+        free_.push<few>(RayNumber(hit.ray), hit.valid);
     }
 
 private:

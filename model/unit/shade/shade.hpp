@@ -42,10 +42,10 @@ public:
     template <bool levels = false> bool surf_valid() const {
         return !fetch_.empty() | (levels && !places_.empty());
     }
-    template <bool levels = false> std::uint32_t surf_ray() const {
+    template <bool levels = false, bool few = false> std::uint32_t surf_ray() const {
         if constexpr (levels)
-            if (surf_link_.second(!fetch_.empty())) return places_.front();
-        return fetch_.front();
+            if (surf_link_.second(!fetch_.empty())) return places_.front<few>();
+        return fetch_.front<few>();
     }
     /// True while it is still busy with the first stage of a pass and accepts no other.
     bool is_occupied() const { return hold_left_ > 0; }
@@ -65,9 +65,9 @@ public:
     bool texture_valid() const { return !textures_.empty(); }
     std::uint32_t texture_ray() const { return textures_.front(); }
     bool spawn_valid() const { return !spawns_.empty(); }
-    std::uint32_t spawn_ray() const { return spawns_.front(); }
+    template <bool few = false> std::uint32_t spawn_ray() const { return spawns_.front<few>(); }
     bool pixel_valid() const { return !pixels_.empty(); }
-    std::uint32_t pixel_ray() const { return pixels_.front(); }
+    template <bool few = false> std::uint32_t pixel_ray() const { return pixels_.front<few>(); }
     std::uint64_t due() const { return pass_.due(); }
     bool answers(std::uint64_t now) const { return pass_.valid(now); }
     /// True if a ray's answer has arrived at a fast chip but is not yet seen.
@@ -92,7 +92,7 @@ public:
     /// the rays whose surface and whose instance arrived. The last flags: these outputs were accepted.
     /// `textured`: the ray whose texture colour arrived; `texture_taken`: tex accepted a hit. `turn(ray)`
     /// returns the outcome of a pass.
-    template <bool levels = false, bool textures = false, class Decide>
+    template <bool levels = false, bool textures = false, bool few = false, class Decide>
     void clock(std::uint64_t now, LinkRay closest, Wants wants, LinkRay surface, LinkRay place,
                bool surf_taken, bool spawn_taken, bool pixel_taken, LinkRay textured, bool texture_taken,
                Decide&& turn) {
@@ -115,9 +115,9 @@ public:
         spawns_.pop(spawn_taken);
         pixels_.pop(pixel_taken);
         const RayNumber next = surface.valid ? RayNumber(surface.ray)
-                               : again       ? again_.front()
-                               : shown       ? textured_.front()
-                                             : arrived_.front();
+                               : again       ? again_.front<few>()
+                               : shown       ? textured_.front<few>()
+                                             : arrived_.front<few>();
         const bool enters = open & (surface.valid | again | shown | arrived);
         pass_.clock(now, answer, enters, next);
         hold_left_ = enters ? hold_cycles_ : hold_left_ - is_occupied();
@@ -135,12 +135,12 @@ public:
             }
         if constexpr (textures) textured_.push(RayNumber(textured.ray), textured.valid);
         if constexpr (levels) {
-            fetch_.push(RayNumber(place.ray), place.valid);
-            places_.push(RayNumber(closest.ray), closest.valid & (wants == Wants::place));
+            fetch_.push<few>(RayNumber(place.ray), place.valid);
+            places_.push<few>(RayNumber(closest.ray), closest.valid & (wants == Wants::place));
         } else {
-            fetch_.push(RayNumber(closest.ray), closest.valid & (wants == Wants::surface));
+            fetch_.push<few>(RayNumber(closest.ray), closest.valid & (wants == Wants::surface));
         }
-        arrived_.push(RayNumber(closest.ray), closest.valid & (wants == Wants::nothing));
+        arrived_.push<few>(RayNumber(closest.ray), closest.valid & (wants == Wants::nothing));
     }
 
 private:

@@ -36,6 +36,13 @@ public:
         filter_.clock(now, texels);
     }
 
+    /// Skips cycles in which nothing enters or leaves.
+    void skip(std::uint64_t now, std::uint64_t cycles) {
+        address_.skip(now, cycles);
+        filter_.skip(now, cycles);
+    }
+    void start() { address_.clear(), filter_.clear(); }   ///< begins a frame
+
     const char* where(std::uint32_t ray, std::uint64_t now) const {
         const auto r = RayNumber(ray);
         return texels_.contains(r)         ? "tex: waits for the link to tex_cache"

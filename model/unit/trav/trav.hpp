@@ -39,14 +39,14 @@ public:
     }
     /// True if the node on offer is a root, of a new ray or of one that changed.
     bool spawning() const { return node_link_.second(!nodes_.empty()); }
-    template <bool levels = false> std::uint32_t node_ray() const {
-        const RayNumber root = spawn_.front(), node = nodes_.front();
+    template <bool levels = false, bool few = false> std::uint32_t node_ray() const {
+        const RayNumber root = spawn_.front(), node = nodes_.front<few>();
         if constexpr (levels)
-            if (spawning() && !root_link_.second(!changed_.empty())) return changed_.front();
+            if (spawning() && !root_link_.second(!changed_.empty())) return changed_.front<few>();
         return select(spawning(), root, node);
     }
     bool done_valid() const { return !done_.empty(); }
-    std::uint32_t done_ray() const { return done_.front(); }
+    template <bool few = false> std::uint32_t done_ray() const { return done_.front<few>(); }
     /// True if the stages are empty.
     bool idle() const { return !(again_ | s1_valid_ | (between_ != 0) | ended_.valid); }
 
@@ -68,7 +68,9 @@ public:
         LinkRay change{};   // from xform, with two levels
     };
     /// One clock edge. `decide(ray, valid)` returns the turn of the ray in the second stage, if it is valid.
-    template <bool levels = false, class Decide> void clock(const Moves& moves, Decide&& decide) {
+    /// `plain`: a chip with up to RayRing::most_few contexts that is not fast.
+    template <bool levels = false, bool plain = false, class Decide>
+    void clock(const Moves& moves, Decide&& decide) {
         // Pops come before pushes: a queue shows a new entry in the next cycle.
         done_.pop(moves.done_taken);
         const bool spawn = spawning();
@@ -77,35 +79,35 @@ public:
         if constexpr (levels) {
             root_link_.clock(!changed_.empty() | !spawn_.empty(), moves.node_taken & spawn, !change);
             changed_.pop(moves.node_taken & spawn & change);
-            changed_.push(RayNumber(moves.change.ray), moves.change.valid);
+            changed_.push<plain>(RayNumber(moves.change.ray), moves.change.valid);
         }
         spawn_.pop(moves.node_taken & spawn & !change);
         nodes_.pop(moves.node_taken & !spawn);
         const bool offered = moves.tested.valid, valid = step_valid(offered), step = valid & step_ready(),
                    leafless = takes_leafless(offered);
         step_link_.clock(valid, step, leafless);
-        const std::uint32_t without = leafless_.front(),
+        const std::uint32_t without = leafless_.front<plain>(),
                             stepping = select(leafless, without, moves.tested.ray);
         leafless_.pop(step & leafless);
         // Stage 0 reads the recirculation register before stage 1 may set it again.
         const bool turn = again_;
         const std::uint32_t returned = again_ray_;
-        const LinkRay last = last_stage();
+        const LinkRay last = plain ? LinkRay{s1_valid_, s1_} : last_stage();
         const Decision::Flags went = decide(last.ray, last.valid);
-        nodes_.push(RayNumber(last.ray), went.visit);
-        if (stack_delay_ == 0) {
-            done_.push(RayNumber(last.ray), went.done);
+        nodes_.push<plain>(RayNumber(last.ray), went.visit);
+        if (plain || stack_delay_ == 0) {
+            done_.push<plain>(RayNumber(last.ray), went.done);
         } else {   // reported from a register, because list is far away
             done_.push(RayNumber(ended_.ray), ended_.valid);
             ended_ = {went.done, last.ray};
         }
         again_ = went.again;
         again_ray_ = last.ray;
-        if (stack_delay_ != 0) pass_on();
+        if (!plain && stack_delay_ != 0) pass_on();
         s1_valid_ = turn | step;
         s1_ = select(turn, returned, stepping);
         spawn_.push(RayNumber(moves.ray.ray), moves.ray.valid);
-        leafless_.push(RayNumber(moves.leafless.ray), moves.leafless.valid);
+        leafless_.push<plain>(RayNumber(moves.leafless.ray), moves.leafless.valid);
     }
 
 private:

@@ -95,8 +95,9 @@ public:
             request = {K::id(*this->req.offer), this->req.offer->addr / K::parts};
             requested_[request.id] = *this->req.offer;
         }
+        if (this->miss.fires()) cache_.take_miss();
         this->outcome = cache_.clock(this->req.fires(), request, this->rsp.fires(),
-                                     this->fill ? &this->fill->id : nullptr, this->miss.fires());
+                                     this->fill ? &this->fill->id : nullptr);
     }
 
 private:

@@ -56,8 +56,10 @@ public:
     }
     void commit() {
         const std::optional<TriRsp> tried = tri_answer_delay_.out(tri_rsp.offer);
-        list_.clock(ray_of(leaves), ray_of(tried), tried && tests_[tried->ray].advance(*tried),
-                    prim_req.fires(), tested.fires());
+        const LinkRay answered = ray_of(tried);
+        const bool another = tried && tests_[tried->ray].advance(*tried);
+        list_.clock_prims(ray_of(leaves), {answered.valid && another, answered.ray}, prim_req.fires());
+        list_.clock_tested({answered.valid && !another, answered.ray}, tested.fires());
         tri_answer_delay_.clock(tri_rsp.offer);
         if (leaves) tests_[leaves->ray].begin(*leaves);
         if (ray) rays_[ray->ray] = *ray;

@@ -66,13 +66,60 @@ TEST_CASE("a pipe answers after latency + 1 cycles, in order, and holds as many 
     }
 }
 
+TEST_CASE("a queue of contexts keeps their order, for few and for many of them", "[fifo]") {
+    const int capacity = GENERATE(1, 64, 255, 256, 1024);
+    RayRing queue(capacity);
+    std::deque<RayNumber> plain;
+    Draw draw{unsigned(capacity)};
+    for (int i = 0; i < 20000; ++i) {
+        const auto ray = RayNumber(draw.below(capacity));
+        const bool few = capacity <= RayRing::most_few && draw.coin();
+        if (!plain.empty()) REQUIRE((few ? queue.front<true>() : queue.front()) == plain.front());
+        const bool pops = !plain.empty() && draw.coin(),
+                   pushes = int(plain.size()) - pops < capacity && draw.percent(i / 5000 % 2 ? 20 : 80);
+        queue.pop(pops);
+        if (pops) plain.pop_front();
+        few ? queue.push<true>(ray, pushes) : queue.push(ray, pushes);
+        if (pushes) plain.push_back(ray);
+        REQUIRE(queue.size() == plain.size());
+        REQUIRE(queue.empty() == plain.empty());
+        REQUIRE(queue.contains(ray) == (std::find(plain.begin(), plain.end(), ray) != plain.end()));
+    }
+}
+
+TEST_CASE("a delay repeats an answer that it keeps, skipped cycles or not", "[fifo]") {
+    const auto [latency, kept] = GENERATE(table<int, int>({{3, 2}, {20, 3}}));
+    Delay delay{latency, 100, kept};
+    std::vector<int> answers(6000, -1);   // [cycle]: a ray, or -1
+    Draw draw{unsigned(latency)};
+    const auto at = [&](std::uint64_t cycle) { return answers[cycle]; };
+    for (std::uint64_t cycle = std::uint64_t(kept); cycle < 5000; ++cycle) {
+        if (draw.percent(20)) {
+            const std::uint64_t next = std::min(delay.due(cycle), cycle + std::uint64_t(draw.below(900)));
+            delay.skip(cycle, next - cycle);
+            cycle = std::min<std::uint64_t>(next, 5000);
+        }
+        for (const std::uint64_t back : {0, kept}) {
+            const LinkRay answer = delay.answer(cycle - back);
+            REQUIRE((answer.valid ? int(answer.ray) : -1) == at(cycle - back));
+        }
+        const LinkRay in{draw.percent(cycle / 500 % 2 ? 80 : 3), std::uint32_t(draw.below(1024))};
+        delay.clock(cycle, in);
+        if (in.valid) answers[cycle + std::uint64_t(latency) + 1] = int(in.ray);
+    }
+}
+
 TEST_CASE("a delay answers in the cycle after its latency, whatever was skipped before", "[fifo]") {
     const auto [latency, depth] = GENERATE(table<int, int>({{1, 2}, {3, 2}, {6, 16}, {20, 32}, {63, 70}}));
     Delay delay{latency, depth};
     std::deque<std::pair<std::uint32_t, std::uint64_t>> plain;   // ray, and cycle of its answer
     Draw draw{unsigned(latency)};
     for (std::uint64_t cycle = 0; cycle < 5000; ++cycle) {
-        if (draw.percent(5)) cycle = std::min(delay.due(cycle), cycle + 100);   // skips idle time
+        if (draw.percent(5)) {   // skips idle time, sometimes more than all entries
+            const std::uint64_t next = std::min(delay.due(cycle), cycle + std::uint64_t(draw.below(1500)));
+            delay.skip(cycle, next - cycle);
+            cycle = next;
+        }
         const bool due = !plain.empty() && plain.front().second == cycle;
         REQUIRE(delay.ready() == (int(plain.size()) < depth));
         REQUIRE(delay.due(cycle) == (plain.empty() ? ~std::uint64_t(0) : plain.front().second));

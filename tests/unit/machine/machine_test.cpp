@@ -90,6 +90,34 @@ TEST_CASE("the order in which units see the clock edge does not matter, nor whet
     }
 }
 
+TEST_CASE("windows of cycles and single cycles are the same machine", "[machine]") {
+    const Values values = GENERATE(
+        Values{}, Values{{"dram", 2}}, Values{{"dram", 2}, {"pipelines", 2}, {"tile_bits", 1}},
+        Values{{"mem_latency", 3}, {"contexts", 256}}, Values{{"tri_interval", 2}, {"raygen_interval", 4}},
+        Values{{"tri_queue", 2}, {"box_queue", 2}, {"cache_queue", 2}},
+        Values{{"timing", 1}, {"pipelines", 4}});
+    const auto [scene, shading] =
+        GENERATE(table<const char*, bool>({{"gears:1", false}, {"balls:1", true}, {"stream", false}}));
+    const Job job = job_of(scene, values, shading);
+    const RecordedFrame frame = record_frame(job, job.frame);
+    Machine windows{job.config, job.khz}, single{job.config, job.khz};
+    Draw draw{7};
+    for (int frames = 0; frames < 2; ++frames) {
+        for (Machine* machine : {&windows, &single}) machine->start(frame.frame, frame.trace);
+        while (!windows.done()) {
+            REQUIRE(windows.cycle() < 1000000);
+            windows.run(windows.cycle() + 1 + std::uint64_t(draw.below(60)),
+                        windows.hits() + 1 + std::uint64_t(draw.below(20)));
+            while (single.cycle() < windows.cycle()) single.step();
+            INFO(job.config.name << ", cycle " << windows.cycle());
+            REQUIRE(single.cycle() == windows.cycle());
+            REQUIRE(single.hits() == windows.hits());
+            REQUIRE(single.accounts() == windows.accounts());
+            REQUIRE(single.memory().stats() == windows.memory().stats());
+        }
+    }
+}
+
 TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[machine]") {
     const Values values = GENERATE(from_range(shapes()));
     const rayclock::Traffic traffic = GENERATE(rayclock::Traffic{}, disturbed(1), disturbed(2));
