@@ -81,6 +81,8 @@ package rc_pkg;
   localparam int unsigned HasKinds = 0;
   localparam int unsigned HoleBits = 6;
   localparam int unsigned Homes = 0;
+  localparam int unsigned HasSelf = 0;
+  localparam int unsigned HasPartial = 0;
   localparam int unsigned OriginWidth = 18;
   localparam int unsigned PointWidth = 18;
   localparam int unsigned ApproachShift = 0;

@@ -279,7 +279,9 @@ void ray_widths(Package& p, const Config& c) {
     p.constant("HasTextures", int(c.has_textures()));
     p.constant("HasKinds", int(c.has_kinds()));   // of primitives
     p.constant("HoleBits", hole_bits);
-    p.constant("Homes", int(c.has_homes()));   // secondary rays start on instances
+    p.constant("Homes", int(c.has_homes()));          // secondary rays start on instances
+    p.constant("HasSelf", int(c.has_self()));         // rays name the sphere that they leave
+    p.constant("HasPartial", int(c.has_partial()));   // some rays meet only some primitives
     p.constant("OriginWidth", c.origin_width());
     p.constant("PointWidth", c.point_width());
     p.constant("ApproachShift", c.approach_shift());
