@@ -8,14 +8,14 @@
 #include "model/base/rng.hpp"
 #include "model/compile/lattice.hpp"
 #include "model/compile/surfaces.hpp"
+#include "model/core/settled.hpp"
 #include "sim/load/load.hpp"
 #include "sim/run/stream/input.hpp"
 #include "sim/run/stream/make_rays.hpp"
 #include "tests/support/check/streams.hpp"
 #include "tests/support/machine/frames.hpp"
 
-using namespace rayclock;
-using namespace rayclock::test;
+namespace rayclock::test::stream_solids {
 
 namespace {
 
@@ -33,8 +33,8 @@ Config chip_for(const Scene& scene, const Values& values = {}) {
 }
 
 /// Random rays in a scene.
-struct RandomStream {
-    RandomStream(Scene given, std::size_t count, const Values& values = {}, std::uint64_t seed = 1)
+struct SolidStream {
+    SolidStream(Scene given, std::size_t count, const Values& values = {}, std::uint64_t seed = 1)
         : scene(std::move(given)),
           rays("random rays", random_rays(scene, count, seed)),
           stream(make_stream_job(scene, rays, chip_for(scene, values), Outside::clip)) {}
@@ -88,7 +88,7 @@ TEST_CASE("model and RTL trace a stream through spheres and planes alike, and ev
                                   {"tri_interval", 2},
                                   {"timing", int(Timing::fast)}}});
     INFO(run.scene);
-    const RandomStream random(native(run.scene), 1200, run.values, 9);
+    const SolidStream random(native(run.scene), 1200, run.values, 9);
     const LockstepResult result = check_lockstep(random.stream.job, run.traffic);
     const StreamJudgement judged = judge_stream(random.stream, result.rtl.answers);
     INFO(judged.first);
@@ -101,7 +101,7 @@ TEST_CASE("model and RTL trace a stream through spheres and planes alike, and ev
 TEST_CASE("a stream walks two levels with spheres and planes, alike in model and RTL",
           "[stream][solids][slow]") {
     Scene scene = native("spheres");
-    const RandomStream random(std::move(scene), 1200, {{"levels", 2}, {"stack_depth", 64}}, 5);
+    const SolidStream random(std::move(scene), 1200, {{"levels", 2}, {"stack_depth", 64}}, 5);
     const LockstepResult result = check_lockstep(random.stream.job);
     const StreamJudgement judged = judge_stream(random.stream, result.rtl.answers);
     INFO(judged.first);
@@ -330,3 +330,5 @@ TEST_CASE("secondary rays of spheres and planes begin off their surfaces", "[str
         CHECK(judge_stream(stream, record_frame(stream.job, stream.job.frame).trace.hits).wrong == 0);
     }
 }
+
+}   // namespace rayclock::test::stream_solids
