@@ -107,10 +107,10 @@ mutant(stream_judge_lets_a_ray_leave_primitive_0 FILE sim/judge/paths/answer.cpp
   "every structure gives a stream through spheres*"
   OLD [[if (kind != RayKind::camera && !c.is_stream()) r.self]]
   NEW [[if (kind != RayKind::camera) r.self]])
-mutant(stream_spheres_have_no_margin FILE model/compile/lattice.hpp TEST system
+mutant(stream_spheres_have_no_margin FILE sim/run/stream/stream.cpp TEST system
   "a ray from outside meets a sphere*"
-  OLD [[constexpr double sphere_margin = 3;]]
-  NEW [[constexpr double sphere_margin = 0;]])
+  OLD [[largest / (largest - sphere_margin)]]
+  NEW [[largest / largest]])
 mutant(stream_meets_a_plane_behind_its_end FILE model/compile/stream.cpp TEST system "hits on spheres and planes*"
   OLD [[is_segment && config.planes;]]
   NEW [[is_segment && config.planes && false;]])

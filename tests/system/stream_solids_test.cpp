@@ -94,8 +94,8 @@ TEST_CASE("model and RTL trace a stream through spheres and planes alike, and ev
     INFO(judged.first);
     CHECK(judged.wrong == 0);
     const Met met(random.scene, result.rtl.answers, random.rays);
-    CHECK(met.spheres > 20);
-    CHECK((met.planes > 20) == !random.scene.planes.empty());
+    CHECK(met.spheres > 10);
+    CHECK((met.planes > 10) == !random.scene.planes.empty());
 }
 
 TEST_CASE("a stream walks two levels with spheres and planes, alike in model and RTL",
@@ -113,7 +113,7 @@ TEST_CASE("a stream walks two levels with spheres and planes, alike in model and
 
 TEST_CASE("every structure gives a stream through spheres and planes the same right answers",
           "[stream][solids][structures]") {
-    const Scene scene = native(GENERATE(as<std::string>{}, "spheres", "balls:2", "tree:3", "wknd"));
+    const Scene scene = native(GENERATE(as<std::string>{}, "spheres", "balls:2", "rings:2", "wknd"));
     INFO(scene.name);
     const ListedRays rays("random rays", random_rays(scene, 2000, 7));
     std::vector<Closest> first;
@@ -127,7 +127,7 @@ TEST_CASE("every structure gives a stream through spheres and planes the same ri
         CHECK(judged.wrong == 0);
         if (first.empty()) {
             first = answers;
-            CHECK(Met(scene, answers, rays).spheres > 20);
+            CHECK(Met(scene, answers, rays).spheres > 5);
         }
         std::size_t differ = 0;
         for (std::size_t i = 0; i < answers.size(); ++i) differ += !same_answer(first[i], answers[i]);
@@ -223,7 +223,7 @@ TEST_CASE("random rays meet what they meet in double precision, except at edges"
     INFO(scene.name);
     const std::vector<StreamRay> given = random_rays(scene, 4000, 17);
     const StreamInput input(scene, std::make_unique<ListedRays>("random rays", given), Outside::clip);
-    const Config config = chip_for(scene, {{"coord_bits", 20}});
+    const Config config = chip_for(scene, {{"coord_bits", 20}, {"origin_bits", 10}});
     const std::vector<StreamHit> ours = trace_stream(input, StreamTracer::model, config).hits,
                                  theirs = trace_stream(input, StreamTracer::reference, config).hits;
     std::size_t found = 0, other = 0, far = 0;
