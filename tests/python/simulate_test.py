@@ -164,7 +164,7 @@ class Explore(Case):
         self.assertEqual(story.stream.pop("file"), "rays")
         explained["stream"].pop("file")
         self.assertEqual(without_times(story.to_dict()), without_times(explained))
-        self.assertIn("bounce", str(story))
+        self.assertIn("ray 17, closest hit", str(story))
 
         self.refused("size has no meaning", rayclock.sweep, "teapot:4", {"pipelines": [1]}, rays=rays, size=(8, 8))
         self.refused("any_hit needs rays", rayclock.sweep, "teapot:4", {"pipelines": [1]}, any_hit=True)
