@@ -96,7 +96,8 @@ mutant(reference_answers_beyond_the_end FILE sim/run/stream/input.cpp TEST cli "
   NEW [[|| t > 2 * ray.t_max) return hit;]])
 
 # ---- Spheres and planes in streams.
-mutant(stream_meets_no_sphere FILE rtl/unit/isect/rc_tri.sv TEST system "model and RTL trace a stream through spheres*"
+mutant(stream_meets_no_sphere FILE rtl/unit/isect/rc_tri.sv TEST system
+  "model and RTL trace a stream through spheres*"
   OLD [[assign in_own    = 1'b0;]]
   NEW [[assign in_own    = 1'b1;]])
 mutant(stream_ray_leaves_primitive_0 FILE model/unit/isect/test_primitive.cpp TEST system
@@ -108,10 +109,11 @@ mutant(stream_judge_lets_a_ray_leave_primitive_0 FILE sim/judge/paths/answer.cpp
   OLD [[if (kind != RayKind::camera && !c.is_stream()) r.self]]
   NEW [[if (kind != RayKind::camera) r.self]])
 mutant(stream_spheres_have_no_margin FILE sim/run/stream/stream.cpp TEST system
-  "a ray from outside meets a sphere*"
+  "rays from outside meet spheres*"
   OLD [[largest / (largest - sphere_margin)]]
   NEW [[largest / largest]])
-mutant(stream_meets_a_plane_behind_its_end FILE model/compile/stream.cpp TEST system "hits on spheres and planes*"
+mutant(stream_meets_a_plane_behind_its_end FILE model/compile/stream.cpp TEST system
+  "hits on spheres and planes*"
   OLD [[is_segment && config.planes;]]
   NEW [[is_segment && config.planes && false;]])
 mutant(stream_plane_beyond_t_is_near FILE sim/run/stream/stream.cpp TEST system "hits on spheres and planes*"
@@ -129,3 +131,9 @@ mutant(stream_sphere_seen_from_the_other_side FILE sim/run/stream/surface.cpp TE
   "hits on spheres and planes*"
   OLD [[shape.sphere ? point - shape.point]]
   NEW [[shape.sphere ? shape.point - point]])
+
+# ---- Units alone.
+mutant(unit_alone_keeps_zeros_out_of_corners FILE sim/run/elastic/corners.cpp TEST system
+  "units that decide nodes agree alone*"
+  OLD [[if (d == Vec3i{}) d[0] = -1;]]
+  NEW [[for (std::int32_t& x : d) x |= 1;]])

@@ -1,8 +1,8 @@
 // Streams of rays through spheres and planes: hits, lockstep, the exact judge, the reference.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "model/base/error.hpp"
 #include "model/base/rng.hpp"
@@ -264,11 +264,15 @@ TEST_CASE("a ray that begins outside the lattice is clipped unless it meets a pl
     CHECK_THROWS_WITH(job_of({{900, 5, 0}, {1, -1, 0}, 0, inf, true}), sentence);
 }
 
-TEST_CASE("a ray from outside meets a sphere at its outermost points", "[stream][solids]") {
-    // On a coarse lattice rounding moves many spheres outward.
+TEST_CASE("rays from outside meet spheres at their outermost points, and graze them there",
+          "[stream][solids]") {
+    // On a coarse lattice rounding moves many spheres outward, so that a ray just outside the scene grazes
+    // one.
+    constexpr int steps = (1 << 11) - 1;
     Rng dice(3);
     const auto number = [&] { return double(dice.below(1 << 20)) / (1 << 20); };
-    int met = 0, all = 0;
+    int met = 0, all = 0, grazed = 0;
+    std::size_t wrong = 0;
     for (int round = 0; round < 60; ++round) {
         Scene scene;
         scene.name = "two spheres";
@@ -276,8 +280,10 @@ TEST_CASE("a ray from outside meets a sphere at its outermost points", "[stream]
         for (int i = 0; i < 2; ++i)
             scene.spheres.push_back({{number(), number(), number()}, 0.02 + 0.3 * number(), 0});
         scene.camera = fit_camera(scene, 1);
-        std::vector<StreamRay> given;
+        std::vector<StreamRay> given, past;
         const Bounds box = bounds(scene);
+        const glm::dvec3 extent = box.hi - box.lo;
+        const double longest = std::max({extent.x, extent.y, extent.z});
         for (int k = 0; k < 3; ++k)
             for (const double side : {1.0, -1.0}) {
                 const auto reach = [&](const Sphere& s) { return side * s.centre[k] + s.radius; };
@@ -289,6 +295,16 @@ TEST_CASE("a ray from outside meets a sphere at its outermost points", "[stream]
                 ray.direction[k] = -side;
                 ray.any_hit = round % 2;
                 given.push_back(ray);
+                const double pitch = longest / 2 / steps;
+                for (int i = 1; i <= 8; ++i) {
+                    StreamRay grazing = ray;
+                    grazing.origin = outer.centre;
+                    grazing.origin[k] = (side > 0 ? box.hi : box.lo)[k] + side * 0.1 * i * pitch;
+                    grazing.origin[(k + 1) % 3] = -20;
+                    grazing.direction = {};
+                    grazing.direction[(k + 1) % 3] = 1;
+                    past.push_back(grazing);
+                }
             }
         REQUIRE(box.hi.x < 20);
         const ListedRays rays("rays from outside", given);
@@ -297,8 +313,15 @@ TEST_CASE("a ray from outside meets a sphere at its outermost points", "[stream]
         CHECK(stream.clipped == given.size());
         for (const Closest& answer : record_frame(stream.job, stream.job.frame).trace.hits)
             met += answer.found, ++all;
+        const ListedRays passing("rays past the scene", past);
+        const StreamJob passed = make_stream_job(scene, passing, config, Outside::clip);
+        const std::vector<Closest> answers = record_frame(passed.job, passed.job.frame).trace.hits;
+        for (const Closest& answer : answers) grazed += answer.found;
+        wrong += judge_stream(passed, answers).wrong;
     }
     CHECK(met == all);
+    CHECK(wrong == 0);
+    CHECK(grazed > 0);
 }
 
 TEST_CASE("secondary rays of spheres and planes begin off their surfaces", "[stream][solids]") {
