@@ -76,9 +76,9 @@ StreamInput input_of(const rayclock::Scene& scene, const std::vector<double>& ro
     return {scene, std::make_unique<const RayTable>("rays", rows.data(), shape), Outside::clip};
 }
 
-rayclock::Config stream_machine(const Config& config) {
+rayclock::Config stream_machine(const Config& config, const rayclock::Scene& scene) {
     std::vector<std::string> notes;
-    return stream_config(config.held().choice, notes);
+    return stream_config(config.held().choice, scene, notes);
 }
 
 }   // namespace
@@ -162,7 +162,7 @@ std::vector<Hit> trace(const Scene& scene, const Config& config, std::span<const
         const StreamInput input = input_of(scene.held().scene, rows);
         std::vector<Hit> hits;
         for (const StreamHit& hit :
-             trace_stream(input, StreamTracer::model, stream_machine(config), threads).hits)
+             trace_stream(input, StreamTracer::model, stream_machine(config, input.scene()), threads).hits)
             hits.push_back({hit.hit, hit.back, hit.primitive, hit.t, hit.u, hit.v});
         return hits;
     });
@@ -175,7 +175,7 @@ Report simulate_rays(const Scene& scene, const Config& config, std::span<const R
         const std::vector<int> clocks = khz_of(mhz);
         const std::vector<double> rows = rows_of(rays);
         const StreamInput input = input_of(scene.held().scene, rows);
-        const StreamJob stream = input.job(stream_machine(config));
+        const StreamJob stream = input.job(stream_machine(config, input.scene()));
         const StreamResult run = run_stream(stream, clocks, {}, false, threads, {});
         return report_of(simulated_stream_json(stream, run, false, watch.seconds()));
     });

@@ -163,7 +163,7 @@ MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Conf
 }
 
 MemoryImage compile_scene(const Scene& given, const glm::dvec3& eye, const Config& config,
-                          const Progress& progress) {
+                          const Progress& progress, double room) {
     const Stopwatch watch;
     const std::string name = given.name.empty() ? "the scene" : given.name;
     if (progress) progress("compiling " + name, 0, 4);
@@ -176,7 +176,7 @@ MemoryImage compile_scene(const Scene& given, const glm::dvec3& eye, const Confi
         return image;
     }
     const Lattice lattice =
-        fit_lattice(given, eye, config.coord_bits, config.shading, room_around_planes(given, config));
+        fit_lattice(given, eye, config.coord_bits, config.shading, room * room_around_planes(given, config));
     const std::optional<Scene> moved = config.shading ? align_large_triangles(given, lattice) : std::nullopt;
     const Scene& scene = moved ? *moved : given;
     std::vector<PrimData> triangles = snap_primitives(scene, lattice, config);

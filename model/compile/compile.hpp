@@ -13,9 +13,9 @@ namespace rayclock {
 /// Snaps the scene to the lattice, builds a wide SAH tree, quantises outward and lays out the image. The
 /// bytes are the same on every machine and for every number of threads. Throws UserError if nothing is left
 /// on the lattice. It also throws if the configuration has too few address bits, bits of primitive numbers or
-/// stack places.
+/// stack places. `room`: with one level, the lattice's size in units of its least size.
 MemoryImage compile_scene(const Scene& scene, const glm::dvec3& eye, const Config& config,
-                          const Progress& progress = {});
+                          const Progress& progress = {}, double room = 1);
 /// Compiles triangles that are already on the lattice, and for which counts() is true. The image's lattice
 /// keeps its default.
 /// Throws UserError as compile_scene does.

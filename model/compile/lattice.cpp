@@ -59,10 +59,10 @@ Lattice fit_lattice(const Scene& scene, const glm::dvec3& eye, int coord_bits, b
         reach[k] = std::max(box.hi[k] - middle[k], middle[k] - box.lo[k]);
     }
     const double largest = largest_coordinate(coord_bits);
-    double coarsest = std::max({reach.x, reach.y, reach.z}) / largest;
+    double coarsest = room * std::max({reach.x, reach.y, reach.z}) / largest;
     if (!scene.planes.empty() && coarsest > 0) {
         lattice.centre = middle;
-        coarsest = with_planes(scene, lattice, room * coarsest);
+        coarsest = with_planes(scene, lattice, coarsest);
     }
     const double finest = cubic ? coarsest : coarsest / max_ratio;
     for (int k = 0; k < 3; ++k) {

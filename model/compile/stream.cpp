@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
 #include "model/base/error.hpp"
 #include "model/layout/words.hpp"
 
@@ -90,9 +92,10 @@ std::optional<LatticeRay> on_lattice(const StreamRay& ray, const Lattice& lattic
         begin[std::size_t(in->axis)] = in->is_high ? reach - 1 : -reach;
     }
     // A segment that leaves the lattice needs no end.
-    if (ray.any_hit && in->to == ray.t_max && std::isfinite(ray.t_max)) {
+    const bool is_segment = ray.any_hit && std::isfinite(ray.t_max);
+    if (is_segment && in->to == ray.t_max) {
         const SegmentEnd end = end_of(ray, lattice);
-        if (end.is_outside) {
+        if (end.is_outside && !config.planes) {
             record = ray_to_nowhere(config);
             return made;
         }
@@ -106,7 +109,8 @@ std::optional<LatticeRay> on_lattice(const StreamRay& ray, const Lattice& lattic
             return made;
         }
     }
-    record.kind = ray.any_hit ? RayKind::away : RayKind::bounce;
+    const bool is_compared = is_segment && config.planes;   // a plane may lie behind the end
+    record.kind = ray.any_hit && !is_compared ? RayKind::away : RayKind::bounce;
     record.o = begin;
     const glm::dvec3 steps = lattice.direction(ray.direction);
     const double largest = std::max({std::abs(steps.x), std::abs(steps.y), std::abs(steps.z)});
@@ -117,6 +121,14 @@ std::optional<LatticeRay> on_lattice(const StreamRay& ray, const Lattice& lattic
         record.d[std::size_t(k)] =
             std::int32_t(std::clamp(std::round(std::ldexp(steps[k], shift)), -most, most));
     return made;
+}
+
+bool meets_plane_outside(const Scene& scene, const StreamRay& ray, std::optional<double> begin) {
+    return std::any_of(scene.planes.begin(), scene.planes.end(), [&](const Plane& plane) {
+        const glm::dvec3 normal = glm::cross(plane.u, plane.v);
+        const double t = glm::dot(normal, plane.point - ray.origin) / glm::dot(normal, ray.direction);
+        return t > ray.t_min && t <= ray.t_max && (!begin || t < *begin);   // false for a NaN
+    });
 }
 
 RayRecord ray_to_nowhere(const Config& config) {

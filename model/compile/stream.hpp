@@ -6,6 +6,7 @@
 
 #include "model/core/frame.hpp"
 #include "model/layout/memory_image.hpp"
+#include "model/scene/scene.hpp"
 
 namespace rayclock {
 
@@ -28,16 +29,23 @@ struct StreamRay {
 /// at the lattice point nearest to the segment's end. Like a shadow ray (docs/proofs/origins.md), it leads
 /// exactly to the rounded origin. Vertices do not reach the border of the lattice. So a segment that ends
 /// beyond them needs no end, and a segment that lies beyond them meets nothing.
+///
+/// Planes reach beyond the lattice. So in a chip with planes, such a segment requests the closest hit, and
+/// the host compares its t with t_max.
 struct LatticeRay {
     RayRecord record;
     double begin = 0, scale = 1;
     bool is_clipped = false;   ///< the ray begins outside the lattice, and that part is left out
 };
-/// Returns the ray on the lattice, or nothing if it misses the lattice. No surface lies outside the lattice,
-/// so the ray begins where it enters.
+/// Returns the ray on the lattice, or nothing if it misses the lattice. Only planes lie outside the lattice
+/// (meets_plane_outside()), so the ray begins where it enters.
 std::optional<LatticeRay> on_lattice(const StreamRay& ray, const Lattice& lattice, const Config& config);
 /// Returns the record of a ray that meets nothing. It replaces a ray that misses the lattice.
 RayRecord ray_to_nowhere(const Config& config);
+
+/// Returns true if a ray meets a plane of the scene before it enters the lattice, or without entering it.
+/// `begin`: where it enters; nothing if it misses the lattice.
+bool meets_plane_outside(const Scene& scene, const StreamRay& ray, std::optional<double> begin);
 
 /// Puts the rays of a stream behind the scene, two in a line. Throws UserError if the memory has too few
 /// lines, or the chip cannot number the rays.

@@ -101,10 +101,6 @@ void check_parameters(const Config& c, const std::string& where) {
         refuse("dram=board needs pipelines=1 and dram_channels=1");
     if (c.is_board() && (c.is_stream() || !c.scan_out || !c.pixel_writes))
         refuse("dram=board needs source=camera, scan_out=1 and pixel_writes=1: the board has a screen");
-    if (c.is_stream() && c.spheres)
-        refuse("spheres=1 needs source=camera: records of rays do not say which sphere a ray leaves");
-    if (c.is_stream() && c.planes)
-        refuse("planes=1 needs source=camera: records of rays hold no point beyond the lattice");
     if (c.panes > 0 && !(c.planes && c.refraction))
         refuse("panes=" + std::to_string(c.panes) + " needs planes=1 and refraction=1");
     if (c.horizon && (!c.planes || c.origin_bits < far_drop))

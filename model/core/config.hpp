@@ -112,6 +112,11 @@ struct Config {
     bool has_shade() const { return shading && !is_stream(); }
     bool has_textures() const { return has_shade() && textures; }
     bool has_homes() const { return has_instances() && shading; }   ///< rays start from instances
+    /// Secondary rays name the sphere that they leave, or at which a shadow ray ends. Rays of a stream do
+    /// not.
+    bool has_self() const { return spheres && has_shade(); }
+    /// Rays that meet only some primitives exist. A ray of a stream meets all.
+    bool has_partial() const { return planes && has_shade(); }
     /// Returns the structure of meshes; with one level, that of the scene.
     Structure lower_structure() const;
     /// Returns the structure for which the RTL is built. An octree has the nodes of a kd-tree.

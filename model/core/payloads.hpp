@@ -75,9 +75,9 @@ struct Spawn {
         v("y", y, c.pixel_bits);
         v("sample", sample, sample_bits);
         if (c.has_textures()) v("holes", holes, hole_bits);
-        if (c.planes) v("is_partial", is_partial, 1);
-        if (c.spheres) v("self", self, c.prim_bits);
-        if (c.spheres) v("is_inside", is_inside, 1);
+        if (c.has_partial()) v("is_partial", is_partial, 1);
+        if (c.has_self()) v("self", self, c.prim_bits);
+        if (c.has_self()) v("is_inside", is_inside, 1);
         home.fields(v, c);
         v("o", o, c.origin_width(), 3);
         v("d", d, c.ray_dir_bits(), 3);
@@ -129,9 +129,9 @@ struct Ray {
         if (c.is_sheared()) shear.fields(v, c);
         if (c.shading) v("kind", kind, ray_kind_bits);
         if (c.has_textures()) v("holes", holes, hole_bits);
-        if (c.planes) v("is_partial", is_partial, 1);
-        if (c.spheres) v("self", self, c.prim_bits);
-        if (c.spheres) v("is_inside", is_inside, 1);
+        if (c.has_partial()) v("is_partial", is_partial, 1);
+        if (c.has_self()) v("self", self, c.prim_bits);
+        if (c.has_self()) v("is_inside", is_inside, 1);
         home.fields(v, c);
         v("o", o, c.origin_width(), 3);
         v("d", d, c.ray_dir_bits(), 3);
@@ -221,9 +221,9 @@ struct TriReq {
         v("ray", ray, c.ray_bits());
         if (c.is_sheared()) shear.fields(v, c);
         if (c.shading) v("kind", kind, ray_kind_bits);
-        if (c.planes) v("is_partial", is_partial, 1);
-        if (c.spheres) v("self", self, c.prim_bits);
-        if (c.spheres) v("is_inside", is_inside, 1);
+        if (c.has_partial()) v("is_partial", is_partial, 1);
+        if (c.has_self()) v("self", self, c.prim_bits);
+        if (c.has_self()) v("is_inside", is_inside, 1);
         v("o", o, c.origin_width(), 3);
         if (!c.is_sheared()) v("d", d, c.ray_dir_bits(), 3);
         triangle.fields(v, c);

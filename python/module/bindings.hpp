@@ -11,6 +11,7 @@
 #include "sim/run/film/film.hpp"
 #include "sim/run/request/config_file.hpp"
 #include "sim/run/request/request.hpp"
+#include "sim/run/stream/input.hpp"
 
 namespace rayclock::python {
 
@@ -41,6 +42,25 @@ struct FrameOptions {
     FramesOptions frames;
     std::string engine = "model";
     bool is_compared = true;
+};
+
+/// The rays of an array, which the caller keeps, and their treatment.
+struct PyRays {
+    std::string name;
+    const void* numbers;
+    RayTable::Shape shape;
+    bool any_hit;
+    std::string outside;
+
+    PyRays(std::string given, const py::array& rays, bool any, std::string treatment)
+        : name(std::move(given)),
+          numbers(rays.data()),
+          shape{std::size_t(rays.shape(0)), std::size_t(rays.shape(1)), std::size_t(rays.itemsize())},
+          any_hit(any),
+          outside(std::move(treatment)) {}
+    /// Returns the rays with a scene, in the form that the configuration requests. It may be called without
+    /// Python's lock.
+    StreamInput with(const PyScene& scene, const PyConfig& config, const Progress& progress) const;
 };
 
 void bind_config(py::module_& module);

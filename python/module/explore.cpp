@@ -6,6 +6,7 @@
 #include "python/module/bindings.hpp"
 #include "python/module/work.hpp"
 #include "sim/app/run/explain_run.hpp"
+#include "sim/app/run/stream_run.hpp"
 #include "sim/app/run/sweep_run.hpp"
 
 namespace rayclock::python {
@@ -14,6 +15,11 @@ namespace {
 
 /// The JSON of a command, and notes.
 using Told = std::pair<std::string, std::vector<std::string>>;
+
+Told told_of(const SweepResult& run, std::vector<std::string> notes) {
+    if (!run.cache_trouble.empty()) notes.push_back("nothing is kept for the next run: " + run.cache_trouble);
+    return {sweep_json(run.swept, Limits{}, run.shard).dump(), std::move(notes)};
+}
 
 Told swept(const PyScene& scene, const PyConfig& config, const FrameOptions& o, const std::string& clock,
            std::uint64_t seed, const std::vector<std::string>& axes, const std::string& cost, bool netlists,
@@ -38,9 +44,7 @@ Told swept(const PyScene& scene, const PyConfig& config, const FrameOptions& o, 
                                            o.frames,
                                            o.view},
                                           stop);
-        if (!run.cache_trouble.empty())
-            notes.push_back("nothing is kept for the next run: " + run.cache_trouble);
-        return Told{sweep_json(run.swept, Limits{}, run.shard).dump(), notes};
+        return told_of(run, std::move(notes));
     });
 }
 
@@ -67,11 +71,56 @@ std::tuple<std::string, std::string, std::vector<std::string>> explained(
     });
 }
 
+Told swept_stream(const PyScene& scene, const PyConfig& config, const py::array& array,
+                  const std::string& name, bool any_hit, const std::string& outside, const std::string& clock,
+                  const std::vector<std::string>& axes, const std::string& cost, bool netlists, bool fresh,
+                  int threads) {
+    const PyRays rays(name, array, any_hit, outside);
+    return result_of(
+        [=](const Progress& stop) {
+            std::vector<std::string> notes;
+            std::vector<sweep::Axis> parsed;
+            for (const std::string& axis : axes) parsed.push_back(sweep::parse_axis(axis));
+            const StreamInput input = rays.with(scene, config, stop);
+            Request request;
+            request.config = stream_config(config.choice, input.scene(), notes);
+            request.scene = input.scene();
+            SweepRequest ask{request, {0, 0}, std::move(parsed), clock, cost, std::nullopt};
+            ask.netlists = netlists, ask.fresh = fresh, ask.threads = threads, ask.stream = &input;
+            return told_of(run_sweep(std::move(ask), stop), std::move(notes));
+        },
+        array);
+}
+
+std::tuple<std::string, std::string, std::vector<std::string>> explained_stream(
+    const PyScene& scene, const PyConfig& config, const py::array& array, const std::string& name,
+    bool any_hit, const std::string& outside, std::size_t ray, const std::string& clock, std::uint64_t seed,
+    int jitter, int stall, int threads) {
+    const PyRays rays(name, array, any_hit, outside);
+    return result_of(
+        [=](const Progress& stop) {
+            std::tuple<std::string, std::string, std::vector<std::string>> told;
+            auto& [json, text, notes] = told;
+            const StreamInput input = rays.with(scene, config, stop);
+            const Config machine = stream_config(config.choice, input.scene(), notes);
+            explain_ray(input, machine, ray, {{jitter, stall, seed}, clock, false, false, threads}, stop,
+                        [&](const Explanation& e, const StreamJob& stream) {
+                            for (std::string& note : stream_notes(stream)) notes.push_back(std::move(note));
+                            json = explained_ray_json(stream, e).dump();
+                            text = explanation_text(e, true);
+                        });
+            return told;
+        },
+        array);
+}
+
 }   // namespace
 
 void bind_explore(py::module_& module) {
     module.def("sweep", &swept);
+    module.def("sweep_stream", &swept_stream);
     module.def("explain", &explained);
+    module.def("explain_stream", &explained_stream);
 }
 
 }   // namespace rayclock::python

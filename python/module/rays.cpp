@@ -3,6 +3,7 @@
 
 #include "python/module/bindings.hpp"
 #include "python/module/work.hpp"
+#include "sim/app/run/stream_run.hpp"
 #include "sim/run/stream/make_rays.hpp"
 
 namespace rayclock::python {
@@ -16,8 +17,9 @@ py::array made_rays(const PyScene& scene, const PyConfig& config, int width, int
     const RayStreamPlan plan =
         ray_stream_plan({kind, order, {width, height}, bounce, samples, radius, seed}, "");
     return bytes_array(result_of([=](const Progress& stop) {
-        const Config machine = load_config(config.choice);
-        const Scene seen = ready_scene(*scene.scene, plan.size, view);
+        std::vector<std::string> notes;   // a setting without effect has none on the rays
+        const Scene seen = ready_scene(scene.source(stop)(stream_primitives(config.choice)), plan.size, view);
+        const Config machine = rays_config(config.choice, seen, notes);
         return rays_npy(make_rays(seen, plan, machine, threads, stop), seen.name);
     }));
 }

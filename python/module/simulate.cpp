@@ -76,51 +76,38 @@ PyFrame simulated(const PyScene& scene, const PyConfig& config, const FrameOptio
     });
 }
 
-/// Returns a scene with the rays of an array, which the caller keeps.
-StreamInput input_of(const PyScene& scene, const std::string& name, const void* numbers,
-                     const RayTable::Shape& shape, bool any_hit, const std::string& outside) {
-    const Outside clip = parse_outside(outside);
-    return {*scene.scene, std::make_unique<const RayTable>(name, numbers, shape, any_hit), clip};
-}
-
-RayTable::Shape shape_of(const py::array& rays) {
-    return {std::size_t(rays.shape(0)), std::size_t(rays.shape(1)), std::size_t(rays.itemsize())};
-}
-
 /// Returns the answers to rays without timing.
-PyStream traced(const PyScene& scene, const PyConfig& config, const py::array& rays, const std::string& name,
+PyStream traced(const PyScene& scene, const PyConfig& config, const py::array& array, const std::string& name,
                 bool any_hit, const std::string& outside, const std::string& engine, int threads) {
-    const RayTable::Shape shape = shape_of(rays);
-    const void* const numbers = rays.data();
+    const PyRays rays(name, array, any_hit, outside);
     return result_of(
         [=](const Progress& stop) {
             PyStream made;
             const StreamTracer asked = parse_stream_tracer(engine);
-            const Config machine = stream_config(config.choice, made.notes);
-            const StreamInput input = input_of(scene, name, numbers, shape, any_hit, outside);
+            const StreamInput input = rays.with(scene, config, stop);
+            const Config machine = stream_config(config.choice, input.scene(), made.notes);
             if (asked == StreamTracer::rtl) check_rtl(machine);
             const StreamAnswers answers = trace_stream(input, asked, machine, threads, stop);
             made.hits = hits_npy(answers.hits, {});
             made.notes.insert(made.notes.end(), answers.notes.begin(), answers.notes.end());
             return made;
         },
-        rays);
+        array);
 }
 
-PyStream simulated_stream(const PyScene& scene, const PyConfig& config, const py::array& rays,
+PyStream simulated_stream(const PyScene& scene, const PyConfig& config, const py::array& array,
                           const std::string& name, bool any_hit, const std::string& outside,
                           const std::string& clock, std::uint64_t seed, int jitter, int stall, bool is_judged,
                           int threads) {
-    const RayTable::Shape shape = shape_of(rays);
-    const void* const numbers = rays.data();
+    const PyRays rays(name, array, any_hit, outside);
     return result_of(
         [=](const Progress& stop) {
             const Stopwatch watch;
             const Traffic traffic = traffic_of(seed, jitter, stall);
             PyStream made;
-            const Config machine = stream_config(config.choice, made.notes);
+            const StreamInput input = rays.with(scene, config, stop);
+            const Config machine = stream_config(config.choice, input.scene(), made.notes);
             const std::vector<int> clocks = clocks_of(clock, machine);
-            const StreamInput input = input_of(scene, name, numbers, shape, any_hit, outside);
             const StreamJob stream = input.job(machine, stop);
             for (std::string& note : stream_notes(stream)) made.notes.push_back(std::move(note));
             const StreamResult run = run_stream(stream, clocks, traffic, is_judged, threads, stop);
@@ -130,10 +117,15 @@ PyStream simulated_stream(const PyScene& scene, const PyConfig& config, const py
             made.hits = hits_npy(hits_of(stream, run.answers()), retired);
             return made;
         },
-        rays);
+        array);
 }
 
 }   // namespace
+
+StreamInput PyRays::with(const PyScene& scene, const PyConfig& config, const Progress& progress) const {
+    return {scene.source(progress)(stream_primitives(config.choice)),
+            std::make_unique<const RayTable>(name, numbers, shape, any_hit), parse_outside(outside)};
+}
 
 void bind_simulate(py::module_& module) {
     py::class_<ViewChoice>(module, "View")

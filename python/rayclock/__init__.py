@@ -9,12 +9,12 @@ simulate() draws a picture or traces an array of rays, and returns a report with
 """
 from . import unit
 from ._rayclock import Config, Error, __version__, config_names, scene_names
-from ._reports import ExplainReport, SimulateReport, StreamReport, SweepReport
+from ._reports import ExplainRayReport, ExplainReport, SimulateReport, StreamReport, SweepReport
 from ._scene import Camera, Light, Material, Note, Scene, load_scene
 from ._simulate import explain, hit_dtype, make_rays, simulate, sweep, trace
 
 __all__ = [
-    "Camera", "Config", "Error", "ExplainReport", "Light", "Material", "Note", "Scene", "SimulateReport",
+    "Camera", "Config", "Error", "ExplainRayReport", "ExplainReport", "Light", "Material", "Note", "Scene", "SimulateReport",
     "StreamReport", "SweepReport", "__version__", "config_names", "explain", "hit_dtype", "load_scene", "make_rays",
     "scene_names", "simulate", "sweep", "trace", "unit",
 ]

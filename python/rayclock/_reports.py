@@ -99,7 +99,7 @@ class StreamReport(_Report):
     host: Json
     digest: str
     hits: np.ndarray = _array()
-    """A row for each ray, with the fields of --hits: hit, back, primitive, t, u, v, cycle."""
+    """A row for each ray, with the fields of --hits: hit, back, primitive, instance, t, u, v, cycle."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -108,7 +108,7 @@ class SweepReport(_Keys):
 
     scene: Json
     config: Json
-    frame: Json
+    frame: Optional[Json]
     sweep: Json
     shard: Json
     partial: bool
@@ -140,6 +140,27 @@ class ExplainReport(_Keys):
     rays: List[Json]
     colour: Optional[Json]
     limits: Optional[Json]
+    text: str = dataclasses.field(default="", repr=False, metadata={"key": False})
+    """The story that the program prints with --steps."""
+
+    def __str__(self) -> str:
+        return self.text
+
+
+@dataclasses.dataclass(frozen=True)
+class ExplainRayReport(_Keys):
+    """What explain() found about a ray of a stream."""
+
+    scene: Json
+    stream: Json
+    config: Json
+    mhz: float
+    cycles: int
+    ray: int
+    pipeline: int
+    context: int
+    cost: Json
+    rays: List[Json]
     text: str = dataclasses.field(default="", repr=False, metadata={"key": False})
     """The story that the program prints with --steps."""
 

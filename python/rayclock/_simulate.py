@@ -8,7 +8,7 @@ import numpy as np
 
 from . import _arrays, _rayclock
 from ._rayclock import Config, Error
-from ._reports import ExplainReport, SimulateReport, StreamReport, SweepReport
+from ._reports import ExplainRayReport, ExplainReport, SimulateReport, StreamReport, SweepReport
 from ._scene import Scene, Vector, scene_data, warn_notes, vector
 
 Size = Union[str, Tuple[int, int]]
@@ -147,23 +147,19 @@ def simulate(scene: Any, config: Any = "default", *, rays: Any = None, any_hit: 
     data, machine = scene_data(scene), config_of(config)
     common = (clocks_of(clock), whole("seed", seed, 1, 1 << 30), whole("jitter", jitter, 0, 100000),
               whole("stall", stall, 0, 99), bool(judge), whole("threads", threads, 0, 1024))
-    if rays is not None:
-        odd = [name for name, given in [
-            ("size", size is not None), ("depth", depth is not None), ("aa", aa is not None),
-            ("threshold", threshold is not None), ("contrast", contrast is not None), ("jittered", jittered),
-            ("fresnel", fresnel), ("eye", eye is not None), ("at", at is not None), ("fov", fov is not None),
-            ("orbit", orbit is not None), ("ground", ground), ("material", material is not None),
-            ("frames", frames != 1), ("pan", pan != 0), ("fps", fps is not None), ("time", time != ""),
-            ("uploads", uploads != "between"), ("rebuild", rebuild is not None), ("engine", engine != "model"),
-            ("reference", not reference)] if given]
-        if odd:
-            raise Error(f"rays take the place of a camera, so {odd[0]} has no meaning here")
-        traced = _rayclock.simulate_stream(data, machine, _ray_table(rays, machine), "rays", bool(any_hit), str(outside),
-                                           *common)
+    odd = {name: given for name, given in [
+        ("size", size is not None), ("depth", depth is not None), ("aa", aa is not None),
+        ("threshold", threshold is not None), ("contrast", contrast is not None), ("jittered", jittered),
+        ("fresnel", fresnel), ("eye", eye is not None), ("at", at is not None), ("fov", fov is not None),
+        ("orbit", orbit is not None), ("ground", ground), ("material", material is not None),
+        ("frames", frames != 1), ("pan", pan != 0), ("fps", fps is not None), ("time", time != ""),
+        ("uploads", uploads != "between"), ("rebuild", rebuild is not None), ("engine", engine != "model"),
+        ("reference", not reference)] if given}
+    stream = _stream(rays, any_hit, outside, odd, machine)
+    if stream is not None:
+        traced = _rayclock.simulate_stream(data, machine, *stream, *common)
         warn_notes(traced.notes)
         return StreamReport(**json.loads(traced.json), hits=_arrays.read_npy(traced.take_hits()))
-    if any_hit or outside != "clip":
-        raise Error(f"{'any_hit' if any_hit else 'outside'} needs rays, a stream of rays")
     options = _options(engine=engine, reference=reference, size=size, depth=depth, aa=aa, threshold=threshold,
                        contrast=contrast, jittered=jittered, fresnel=fresnel, eye=eye, at=at, fov=fov, orbit=orbit,
                        ground=ground, material=material, frames=frames, pan=pan, fps=fps, time=time, uploads=uploads,
@@ -227,8 +223,8 @@ def _axis(key: str, values: Any) -> str:
 
 
 def sweep(scene: Union[str, Scene], axes: Mapping[str, Any], config: Union[str, Config] = "default", *,
-          clock: Clock = 66, cost: str = "auto", netlist: bool = False, fresh: bool = False, seed: int = 1,
-          threads: int = 0, **picture: Any) -> SweepReport:
+          rays: Any = None, any_hit: bool = False, outside: str = "clip", clock: Clock = 66, cost: str = "auto",
+          netlist: bool = False, fresh: bool = False, seed: int = 1, threads: int = 0, **picture: Any) -> SweepReport:
     """Runs one scene on many configurations and clocks: what `rayclock sweep` does.
 
     axes: the values of each parameter, or of "clock": {"pipelines": [1, 2, 4], "dram": ["ddr3", "sdr"]}. A text
@@ -236,37 +232,80 @@ def sweep(scene: Union[str, Scene], axes: Mapping[str, Any], config: Union[str, 
     netlist=True counts multipliers and flip-flops with Yosys, as the program does by default. `picture`
     takes the arguments of simulate() for a picture: size, depth, aa, eye, frames and so on.
 
+    With `rays`, every point traces these rays in place of a camera's, as simulate(rays=...) does, and the report's
+    frame is None.
+
     Finished figures are kept in the program's cache, and fresh=True ignores it. Raises Error.
     """
-    options = _picture(picture)
-    told, notes = _rayclock.sweep(
-        scene_data(scene), config_of(config), options, clocks_of(clock), whole("seed", seed, 1, 1 << 30),
-        [_axis(str(key), values) for key, values in axes.items()], str(cost), bool(netlist), bool(fresh),
-        whole("threads", threads, 0, 1024))
+    data, machine = scene_data(scene), config_of(config)
+    common = ([_axis(str(key), values) for key, values in axes.items()], str(cost), bool(netlist), bool(fresh),
+              whole("threads", threads, 0, 1024))
+    stream = _stream(rays, any_hit, outside, picture, machine)
+    if stream is not None:
+        told, notes = _rayclock.sweep_stream(data, machine, *stream, clocks_of(clock), *common)
+    else:
+        told, notes = _rayclock.sweep(data, machine, _picture(picture), clocks_of(clock),
+                                      whole("seed", seed, 1, 1 << 30), *common)
     warn_notes(notes)
     return SweepReport(**json.loads(told))
 
 
-def explain(scene: Union[str, Scene], pixel: Tuple[int, int], config: Union[str, Config] = "default", *,
-            clock: Clock = 66, judge: bool = True, seed: int = 1, jitter: int = 0, stall: int = 0, threads: int = 0,
-            **picture: Any) -> ExplainReport:
+@overload
+def explain(scene: Union[str, Scene], pixel: Tuple[int, int], config: Union[str, Config] = ..., *, rays: None = ...,
+            clock: Clock = ..., judge: bool = ..., seed: int = ..., jitter: int = ..., stall: int = ...,
+            threads: int = ..., **picture: Any) -> ExplainReport: ...
+@overload
+def explain(scene: Union[str, Scene], *, config: Union[str, Config] = ..., rays: Any, ray: int, any_hit: bool = ...,
+            outside: str = ..., clock: Clock = ..., seed: int = ..., jitter: int = ..., stall: int = ...,
+            threads: int = ...) -> ExplainRayReport: ...
+
+
+def explain(scene: Any, pixel: Any = None, config: Any = "default", *, rays: Any = None, ray: Any = None,
+            any_hit: bool = False, outside: str = "clip", clock: Any = 66, judge: bool = True, seed: int = 1,
+            jitter: int = 0, stall: int = 0, threads: int = 0, **picture: Any) -> Any:
     """Follows one pixel ray by ray and cycle by cycle, and says why it differs: what `rayclock explain` does.
 
     pixel: column and row, from the top left corner. `picture` takes the arguments of simulate() for a picture,
-    with reference=False among them. Raises Error.
+    with reference=False among them.
+
+    With `rays` in place of a pixel, follows the ray with the number `ray`, counted from 0, in the stream of these
+    rays. The result is an ExplainRayReport. Raises Error.
     """
+    data, machine = scene_data(scene), config_of(config)
+    common = (clocks_of(clock), whole("seed", seed, 1, 1 << 30), whole("jitter", jitter, 0, 100000),
+              whole("stall", stall, 0, 99))
+    workers = whole("threads", threads, 0, 1024)
+    odd = {**picture, **({} if pixel is None else {"pixel": pixel}), **({} if judge else {"judge": judge})}
+    stream = _stream(rays, any_hit, outside, odd, machine)
+    if stream is not None:
+        number = whole("ray", ray, 0, len(stream[0]) - 1)
+        told, text, notes = _rayclock.explain_stream(data, machine, *stream, number, *common, workers)
+        warn_notes(notes)
+        return ExplainRayReport(**json.loads(told), text=text)
+    if ray is not None:
+        raise Error("ray needs rays, a stream of rays")
     options = _picture(picture)
     try:
         x, y = pixel
     except (TypeError, ValueError):
         raise Error(f"pixel: {pixel!r:.80} is not (column, row)") from None
     most = 2**31 - 1
-    told, text, notes = _rayclock.explain(
-        scene_data(scene), config_of(config), options, whole("column", x, -most, most), whole("row", y, -most, most),
-        clocks_of(clock), whole("seed", seed, 1, 1 << 30), whole("jitter", jitter, 0, 100000),
-        whole("stall", stall, 0, 99), bool(judge), whole("threads", threads, 0, 1024))
+    told, text, notes = _rayclock.explain(data, machine, options, whole("column", x, -most, most),
+                                          whole("row", y, -most, most), *common, bool(judge), workers)
     warn_notes(notes)
     return ExplainReport(**json.loads(told), text=text)
+
+
+def _stream(rays: Any, any_hit: bool, outside: str, odd: Mapping[str, Any],
+            machine: Config) -> Optional[Tuple[np.ndarray, str, bool, str]]:
+    """Returns the arguments of a stream, or None for a picture. `odd`: what has no meaning for a stream."""
+    if rays is None:
+        if any_hit or outside != "clip":
+            raise Error(f"{'any_hit' if any_hit else 'outside'} needs rays, a stream of rays")
+        return None
+    if odd:
+        raise Error(f"rays take the place of a camera, so {next(iter(odd))} has no meaning here")
+    return _ray_table(rays, machine), "rays", bool(any_hit), str(outside)
 
 
 def _picture(given: Mapping[str, Any]) -> Any:

@@ -5,6 +5,7 @@
 #include "model/base/quote.hpp"
 #include "sim/app/options/commands.hpp"
 #include "sim/app/options/options.hpp"
+#include "sim/app/run/stream_run.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/process/stopping.hpp"
 #include "sim/run/stream/make_rays.hpp"
@@ -56,8 +57,13 @@ int run_rays(const RaysOptions& o) {
     if (o.output == o.json.path) throw UserError("--output and --json name the same file");
     check_writable(o.output);
     const Progress stop = stopping(terminal_progress());
-    const Config config = load_config(o.config);
-    const Scene scene = ready_scene(o.scene, plan.size, stop, o.view);
+    const Scene scene =
+        stream_primitives(o.config) == Primitives::native
+            ? ready_scene(load_noted_scene(o.scene, stop, Primitives::native), plan.size, o.view)
+            : ready_scene(o.scene, plan.size, stop, o.view);
+    std::vector<std::string> notes;
+    const Config config = rays_config(o.config, scene, notes);
+    print_ineffective(notes);
     const std::vector<StreamRay> rays = make_rays(scene, plan, config, o.threads, stop);
     write_bytes(o.output, rays_npy(rays, scene.name));
     if (!o.json.is_alone())

@@ -142,7 +142,7 @@ int stress_stream(const StressOptions& o) {
     o.json.check();
     const Stopwatch watch;
     const Progress progress = terminal_progress(), stop = stopping(progress);
-    const std::unique_ptr<const StreamInput> input = stream_input(o.scene, o.stream, stop);
+    const std::unique_ptr<const StreamInput> input = stream_input(o.scene, {}, o.stream, stop);
     const std::vector<StreamChip> chips =
         random_stream_chips(*input, o.seed, o.chips.value_or(StressOptions::default_chips), stop);
     parallel::for_each(chips.size(), o.threads, [&](std::size_t i) { build_rtl(chips[i].config); });

@@ -176,7 +176,10 @@ struct VerifyResult {
 
 DivergedRun diverged(const VerifyOptions& o, const VerifyPlan& work, Traffic traffic, const VerifyResult& v,
                      const Divergence& first) {
-    return {v.job, v.traces, traffic, int(o.traffic.seed), first, work.request().scene.name, command_line()};
+    return {v.job,          v.traces,
+            traffic,        int(o.traffic.seed),
+            first,          work.request().scene.name,
+            command_line(), o.elastic.is_given()};
 }
 
 /// Repeats diverging machines to record a waveform, before they continue. An error here must not hide the
@@ -206,6 +209,11 @@ VerifyResult run_machines(const VerifyOptions& o, const VerifyPlan& work, Traffi
         v.elastic = run_elastic(v.job, v.traces, parse_free_units(*o.elastic.units, v.job.config), traffic,
                                 progress, int(o.traffic.seed));
         v.result = as_lockstep(*v.elastic);
+        if (v.result.first) {
+            v.divergence_seconds = watch.seconds();
+            capture_first(o, diverged(o, work, traffic, v, *v.result.first), v, progress);
+            if (v.show) v.waveform_seconds = watch.seconds();
+        }
         v.pictures.reference = reference.get();
         return v;
     }
@@ -228,8 +236,9 @@ std::string show_first_divergence(const VerifyOptions& o, const VerifyPlan& work
     try {
         const DivergenceFiles files = v.show->page(diverged(o, work, traffic, v, *v.result.first));
         v.result.first->wave = files.wave;
-        return fmt::format("    waveform: gtkwave {}\n    page: {}\n{}", printable(files.view),
-                           printable(files.page), files.note.empty() ? "" : "    " + files.note + "\n");
+        return fmt::format("    waveform: gtkwave {}\n{}{}", printable(files.view),
+                           files.page.empty() ? "" : fmt::format("    page: {}\n", printable(files.page)),
+                           files.note.empty() ? "" : "    " + files.note + "\n");
     } catch (const std::exception& error) {
         return fmt::format("    no page: {}\n", printable(error.what()));
     }

@@ -86,11 +86,11 @@ std::vector<Row> unit_rows_of(const Areas& areas, std::size_t variant, const std
     return rows;
 }
 
-/// Returns the units that differ between a variant and `before`.
-std::vector<Row> changes(const Areas& areas, std::size_t variant, std::size_t before) {
+/// Returns the units that differ between a variant and the one with which it is compared.
+std::vector<Row> changes(const Areas& areas, std::size_t variant) {
     std::vector<Row> rows;
     for (const UnitRow& unit : unit_rows()) {
-        const auto &now = areas.units[variant], &then = areas.units[before];
+        const auto &now = areas.units[variant], &then = areas.units[areas.variants[variant].base];
         const auto part = now.find(unit.name), old = then.find(unit.name);
         if (part == now.end()) continue;
         const Count none;
@@ -101,16 +101,14 @@ std::vector<Row> changes(const Areas& areas, std::size_t variant, std::size_t be
     return rows;
 }
 
-std::size_t before(std::size_t variant) { return variant < 2 ? 0 : 1; }
-
 std::string summary(const Areas& areas) {
     Table table(
         {"one pipeline", "LUTs", "FF", "MULT18X18D", "DP16KD", "more LUTs", "more FF", "more multipliers"});
     for (std::size_t v = 0; v < areas.variants.size(); ++v) {
-        const Count now = pipeline_count(areas, v), was = pipeline_count(areas, before(v));
+        const Count now = pipeline_count(areas, v), was = pipeline_count(areas, areas.variants[v].base);
         Row cells{areas.variants[v].name, grouped(now.luts()), grouped(now.ff), grouped(now.dsp),
                   grouped(now.bram)};
-        if (v == 0)
+        if (v == hits_alone)
             cells.insert(cells.end(), {"", "", ""});
         else
             cells.insert(cells.end(), {signed_text(now.luts(), was.luts()), signed_text(now.ff, was.ff),
@@ -200,7 +198,8 @@ ordered_json json(const Areas& areas, const std::vector<Speed>& speeds) {
 std::vector<Speed> page_speeds(const Areas& areas, const Progress& progress) {
     Whitted settings;
     settings.depth = speed_depth;
-    const std::vector<Variant> machines{areas.variants[0], areas.variants[1], areas.variants.back()};
+    const std::vector<Variant> machines{areas.variants[hits_alone], areas.variants[shading_only],
+                                        areas.variants.back()};
     return measure(machines, ready_scene(speed_scene, speed_size, progress), speed_size, settings,
                    speed_rounds, progress);
 }
@@ -212,21 +211,28 @@ std::string page(const Areas& areas, const std::vector<Speed>& speeds, const std
         "# Area\n\nThe resources of each unit on an ECP5, and the cost of the units that only some scenes "
         "need.\n\nMade by `{}`, which counts or measures every figure.\nConditions: configuration `{}` "
         "except for its optional units; {}.\n\n## With and without\n\n`hits` finds the hits of camera rays "
-        "and computes no colours. The other machines make finished pictures: `shading` has no further "
-        "unit,\nthe next ones have one more each, and the last has all. \"More\" compares `shading` with "
-        "`hits`, and the others with `shading`.\nThe largest ECP5, {}, has {} LUTs and as many flip-flops, "
+        "and computes no colours. `stream` finds the hits of rays from memory\n"
+        "([streams](../guide/streams.md)). The other machines make finished pictures: `shading` has no "
+        "further "
+        "unit,\nthe next ones have one more each, and the last has all. \"More\" compares `stream` and "
+        "`shading` with `hits`, and the others with `shading`.\nThe largest ECP5, {}, has {} LUTs and as "
+        "many flip-flops, "
         "{} multipliers and {} block memories.\n\n",
         command, base, synth::yosys_version().substr(0, synth::yosys_version().find(" (")), largest.name,
         grouped(largest.has.lut), largest.has.dsp, largest.has.bram);
     text += summary(areas);
-    for (const std::size_t v : {std::size_t(0), std::size_t(1), areas.variants.size() - 1}) {
+    for (const std::size_t v : {hits_alone, stream_alone, shading_only, areas.variants.size() - 1}) {
         text += fmt::format("\n## Units of `{}`\n\n", areas.variants[v].name);
         text += count_table("unit", unit_rows_of(areas, v, "&emsp;")).markdown();
     }
-    text += "\n## Units that change\n\nCompared with `shading`; all other units are the same.\n";
-    for (std::size_t v = 2; v < areas.variants.size(); ++v) {
+    text +=
+        "\n## Units that change\n\nCompared with `shading`, and `stream` with `hits`; all other units are "
+        "the "
+        "same.\n";
+    for (std::size_t v = 1; v < areas.variants.size(); ++v) {
+        if (v == shading_only) continue;
         text += fmt::format("\n### {}\n\n", areas.variants[v].name) +
-                count_table("unit", changes(areas, v, 1)).markdown();
+                count_table("unit", changes(areas, v)).markdown();
     }
     if (!speeds.empty()) {
         text += fmt::format(

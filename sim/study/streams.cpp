@@ -73,7 +73,7 @@ std::vector<Row> measure(const Study& study, const Progress& progress) {
         const Scene scene = ready_scene(name, study.size, progress);
         std::vector<Machinery> machines;
         for (const structures::NamedStructure& structure : structures) {
-            const Config config = settled(streaming(structure.config));
+            const Config config = settled(streaming(structure.config, scene));
             check_config(config, structure.name);
             machines.push_back(
                 {structure.name, config, compile_scene(scene, scene.camera->eye, config, progress)});

@@ -29,7 +29,7 @@ struct Watching {
 inline Watching watching_stream(const Watched& w, std::size_t rays) {
     const Scene scene = make_builtin(w.scene, Primitives::triangles);
     const ListedRays stream("random rays", random_rays(scene, rays, 1));
-    Config config = streaming(named_config("default"));
+    Config config = streaming(named_config("default"), scene);
     for (const auto& [key, value] : w.values) set_parameter(config, key, value, "test");
     config = settled(config);
     check_config(config, "test");

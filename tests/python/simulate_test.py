@@ -143,6 +143,37 @@ class Explore(Case):
         self.assertIn("0 camera", str(report))
         self.refused("outside the picture", rayclock.explain, "tetra:2", (64, 0), size=(64, 48))
 
+    def test_rays_of_an_array_are_swept_and_explained_like_those_of_a_file(self):
+        rays = rayclock.make_rays("teapot:4", kind="diffuse", size=(16, 12))
+        with tempfile.TemporaryDirectory() as folder:
+            path = folder + "/rays.npy"
+            np.save(path, rays)
+            swept = program("sweep", "teapot:4", "--rays", path, "--axis", "pipelines=1,2", "--clock", "66",
+                            "--no-netlist")
+            explained = program("explain", "teapot:4", "--rays", path, "--ray", "17")
+        report = rayclock.sweep("teapot:4", {"pipelines": [1, 2]}, rays=rays, fresh=True)
+        self.assertEqual(list(report.to_dict()), list(swept))
+        self.assertIsNone(report.frame)
+        self.assertEqual(report.sweep["stream"].pop("file"), "rays")
+        self.assertTrue(swept["sweep"]["stream"].pop("file").endswith("rays.npy"))
+        self.assertEqual(without_times(report.to_dict()), without_times(swept))
+
+        story = rayclock.explain("teapot:4", rays=rays, ray=17)
+        self.assertEqual(story.ray, 17)
+        self.assertEqual(list(story.to_dict()), list(explained))
+        self.assertEqual(story.stream.pop("file"), "rays")
+        explained["stream"].pop("file")
+        self.assertEqual(without_times(story.to_dict()), without_times(explained))
+        self.assertIn("ray 17, closest hit", str(story))
+
+        self.refused("size has no meaning", rayclock.sweep, "teapot:4", {"pipelines": [1]}, rays=rays, size=(8, 8))
+        self.refused("any_hit needs rays", rayclock.sweep, "teapot:4", {"pipelines": [1]}, any_hit=True)
+        self.refused("pixel has no meaning", rayclock.explain, "teapot:4", (1, 1), rays=rays, ray=0)
+        self.refused("ray must lie in 0..", rayclock.explain, "teapot:4", rays=rays, ray=len(rays))
+        self.refused("ray: None", rayclock.explain, "teapot:4", rays=rays)
+        self.refused("ray needs rays", rayclock.explain, "teapot:4", (1, 1), ray=0)
+        self.refused("pixel: None", rayclock.explain, "teapot:4")
+
 
 class Streams(Case):
     def test_a_stream_has_the_hits_and_the_report_of_the_program(self):

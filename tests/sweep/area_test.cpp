@@ -93,15 +93,18 @@ TEST_CASE("any configuration that can shade has a variant for each unit") {
     for (const std::string& name : config_names()) {
         INFO(name);
         const std::vector<Variant> all = variants_of(named_config(name));
-        REQUIRE(all.size() == 9);
+        REQUIRE(all.size() == 10);
         CHECK(!all[0].config.shading);
-        CHECK(all[1].config.shading);
+        CHECK(all[1].config.is_stream());
+        CHECK(all[2].config.has_shade());
+        CHECK(all[1].base + all[2].base == 0);
         const auto further = [](const Config& c) {
             return c.spheres + c.planes + c.smooth + c.refraction + c.supersampling + c.textures;
         };
-        CHECK(further(all[1].config) == 0);
-        for (std::size_t v = 2; v < 8; ++v) CHECK(further(all[v].config) == 1);
-        CHECK(further(all[8].config) == 6);
+        for (std::size_t v = 0; v < 3; ++v) CHECK(further(all[v].config) == 0);
+        for (std::size_t v = 3; v < 9; ++v) CHECK(further(all[v].config) == 1);
+        CHECK(further(all[9].config) == 6);
+        for (std::size_t v = 3; v < 10; ++v) CHECK(all[v].base == 2);
         for (const Variant& v : all) CHECK(v.config.coord_bits == named_config(name).coord_bits);
     }
     Config sheared = named_config("default");
@@ -117,8 +120,7 @@ TEST_CASE("a chip has the units of its source of rays") {
         return names;
     };
     const Config drawing = shading_alone(named_config("default"));
-    Config streaming = drawing;
-    streaming.source = RaySource::stream;
+    const Config streaming = streaming_alone(named_config("default"));
     const std::set<std::string> drawn = units_of(drawing), streamed = units_of(streaming);
     std::vector<std::string> lost, gained;
     std::set_difference(drawn.begin(), drawn.end(), streamed.begin(), streamed.end(),

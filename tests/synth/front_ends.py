@@ -76,6 +76,8 @@ SHAPES = [
 STREAMS = [
     "default shading=1 source=stream",
     "default shading=1 source=stream levels=2",
+    "default shading=1 source=stream spheres=1 planes=1",
+    "small shading=1 source=stream levels=2 spheres=1",
     "small shading=1 source=stream timing=fast pipelines=2 tile_bits=0 raygen_interval=4 structure=kd",
 ]
 

@@ -69,7 +69,8 @@ public:
     /// Returns false if a moving instance would have to be written out.
     bool run() {
         find_bounds();
-        for (double margin = 0;;) {
+        const bool has_spheres = parts_.round && !parts_.round->spheres.empty();
+        for (double margin = config_.is_stream() && has_spheres ? sphere_margin : 0;;) {
             written_out_ = false;
             const double beyond = map(margin);
             if (moves_out()) return false;

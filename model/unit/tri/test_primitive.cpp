@@ -109,7 +109,8 @@ bool shades(const Ray& ray, const PrimData& sphere, const Config& config) {
     const Meeting m = meeting(ray, sphere, 0, config);
     const bool from_outside = m.power > 0;
     const bool seen_inside = is_seen_inside(sphere);
-    if (sphere.prim == ray.self) return seen_inside && ray.is_inside != 0 && from_outside;
+    if (config.has_self() && sphere.prim == ray.self)
+        return seen_inside && ray.is_inside != 0 && from_outside;
     const Wide unit = Wide(1) << config.origin_frac();
     // |O - c|^2 minus the squared radius.
     const Wide end = m.square + 2 * m.along * unit + m.power * unit * unit;
@@ -127,7 +128,8 @@ void sphere_test(const Ray& ray, const PrimData& sphere, const Best& best, const
     }
     const int scale = config.origin_frac();
     const Meeting m = meeting(ray, sphere, scale, config);
-    const bool own = leaves_surface(ray, config) && ray.kind != RayKind::camera && sphere.prim == ray.self;
+    const bool own = config.has_self() && leaves_surface(ray, config) && ray.kind != RayKind::camera &&
+                     sphere.prim == ray.self;
     if (own && !ray.is_inside) return;
     const bool outside = m.power > 0, far = own || !outside;
     if (far && !is_seen_inside(sphere)) return;

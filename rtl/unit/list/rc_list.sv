@@ -392,20 +392,20 @@ module rc_list (
     assign ray_for_tri.kind = ray_i.kind;
   end
 
-  if (rc_pkg::Planes && rc_pkg::HasHomes) begin : gen_stored_partial
+  if (rc_pkg::HasPartial && rc_pkg::HasHomes) begin : gen_stored_partial
     rc_ram #(.Width(1), .Depth(Contexts)) u_partial (
       .clk_i, .write_i(ray_fires_i), .write_addr_i(ray_i.ray), .write_data_i(ray_i.is_partial),
       .read_addr_i(change_i.ray), .read_data_o(ray_for_tri.is_partial));
-  end else if (rc_pkg::Planes) begin : gen_partial
+  end else if (rc_pkg::HasPartial) begin : gen_partial
     assign ray_for_tri.is_partial = ray_i.is_partial;
   end
 
-  if (rc_pkg::Spheres && rc_pkg::HasHomes) begin : gen_stored_self
+  if (rc_pkg::HasSelf && rc_pkg::HasHomes) begin : gen_stored_self
     rc_ram #(.Width(rc_pkg::PrimBits + 1), .Depth(Contexts)) u_self (
       .clk_i, .write_i(ray_fires_i), .write_addr_i(ray_i.ray),
       .write_data_i({ray_i.self, ray_i.is_inside}), .read_addr_i(change_i.ray),
       .read_data_o({ray_for_tri.self, ray_for_tri.is_inside}));
-  end else if (rc_pkg::Spheres) begin : gen_self
+  end else if (rc_pkg::HasSelf) begin : gen_self
     assign ray_for_tri.self      = ray_i.self;
     assign ray_for_tri.is_inside = ray_i.is_inside;
   end

@@ -139,10 +139,10 @@ module rc_tri (
     assign in_cutout = 1'b0;
   end
 
-  if (rc_pkg::Planes) begin : gen_partial
+  if (rc_pkg::HasPartial) begin : gen_partial
     assign in_far   = rc_pkg::Horizon && in.is_partial && in.kind == rc_pkg::RayBounce;
     assign in_skips = in.is_partial && (in_plane ? in_any : in_far);
-  end else begin : gen_no_planes
+  end else begin : gen_meets_all
     assign in_far   = 1'b0;
     assign in_skips = 1'b0;
   end
@@ -376,7 +376,7 @@ module rc_tri (
     logic [NumBits-1:0]   ball_best_num;
     logic [EdgeBits-1:0]  ball_best_det;
     logic [TBits-1:0]     ball_t, late_t;
-    logic                 in_ball, in_ball_first, in_own, best_next;
+    logic                 in_ball, in_ball_first, in_own, in_inside, best_next;
 
     if (FlatLate == 0) begin : gen_flat_last
       assign {flat_closer, flat_block} = {closer_q[Divide-1], block_q[Divide-1]};
@@ -406,8 +406,15 @@ module rc_tri (
     assign in_ball       = valid[In] && in_sphere;
     // A primitive that the ray does not test counts as the ray's own sphere, seen from outside:
     // never met.
-    assign in_own        = in_far
-                        || ((in_any || in.kind == rc_pkg::RayBounce) && in.self == in.prim);
+    if (rc_pkg::HasSelf) begin : gen_own
+      assign in_own    = in_far
+                      || ((in_any || in.kind == rc_pkg::RayBounce) && in.self == in.prim);
+      assign in_inside = in.is_inside && !in_far;
+    end else begin : gen_no_own
+      assign in_own    = 1'b0;
+      assign in_inside = 1'b0;
+    end
+
     assign in_ball_first = in.prim <= in.best_prim;
 
     rc_stage_delay #(
@@ -427,7 +434,7 @@ module rc_tri (
     rc_sphere u_sphere (
       .clk_i, .rst_ni, .s0_valid_i(in_ball), .s0_any_i(in_any), .s0_leaves_i(in_leaves),
       .s0_own_i(in_own),
-      .s0_inside_i(in.is_inside && !in_far), .s0_o_i(in.o), .s0_d_i(in.d),
+      .s0_inside_i(in_inside), .s0_o_i(in.o), .s0_d_i(in.d),
       .s0_c_i(in_a), .s0_rr_i(in_b[2*N-1:0]), .s0_glass_i(in_b[2*N]), .best_next_o(best_next),
       .best_found_i(ball_found), .best_first_i(ball_first), .best_num_i(ball_best_num),
       .best_det_i(ball_best_det),

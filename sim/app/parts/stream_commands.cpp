@@ -77,17 +77,19 @@ StreamRequest stream_request(const std::string& scene, const ConfigChoice& choic
                              const Progress& progress) {
     std::vector<std::string> notes;
     StreamRequest request;
-    request.config = stream_config(choice, notes);
+    request.input = stream_input(scene, choice, stream, progress);
+    request.config = stream_config(choice, request.input->scene(), notes);
     print_ineffective(notes);
-    request.input = stream_input(scene, stream, progress);
     return request;
 }
 
-std::unique_ptr<const StreamInput> stream_input(const std::string& scene, const StreamChoice& stream,
-                                                const Progress& progress) {
+std::unique_ptr<const StreamInput> stream_input(const std::string& scene, const ConfigChoice& config,
+                                                const StreamChoice& stream, const Progress& progress) {
     const Outside outside = parse_outside(stream.outside);
+    const Primitives primitives = stream_primitives(config);
     auto rays = std::make_unique<const RayFile>(*stream.rays, stream.any_hit);
-    return std::make_unique<const StreamInput>(load_noted_scene(scene, progress), std::move(rays), outside);
+    return std::make_unique<const StreamInput>(load_noted_scene(scene, progress, primitives), std::move(rays),
+                                               outside);
 }
 
 void check_hits(const StreamChoice& choice, const JsonOutput& json) {

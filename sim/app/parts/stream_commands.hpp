@@ -50,9 +50,9 @@ struct StreamRequest {
 /// UserError.
 StreamRequest stream_request(const std::string& scene, const ConfigChoice& config, const StreamChoice& choice,
                              const Progress& progress);
-/// Loads the rays and the scene only. Throws UserError.
-std::unique_ptr<const StreamInput> stream_input(const std::string& scene, const StreamChoice& choice,
-                                                const Progress& progress);
+/// Loads the rays and the scene only, in the form of stream_primitives(). Throws UserError.
+std::unique_ptr<const StreamInput> stream_input(const std::string& scene, const ConfigChoice& config,
+                                                const StreamChoice& choice, const Progress& progress);
 /// Throws UserError if the file of --hits could not be written later.
 void check_hits(const StreamChoice& choice, const JsonOutput& json);
 /// Returns the line of a command's text about the scene and the rays.

@@ -1,6 +1,8 @@
 // Runs a stream of rays and makes its report.
 #include "sim/app/run/stream_run.hpp"
 
+#include <algorithm>
+
 #include "model/base/error.hpp"
 #include "model/core/settled.hpp"
 #include "model/trace/hits.hpp"
@@ -12,13 +14,26 @@
 
 namespace rayclock {
 
-Config stream_config(const ConfigChoice& choice, std::vector<std::string>& notes) {
+Primitives stream_primitives(const ConfigChoice& choice) {
+    return widened(load_config({choice.name, {}}), choice.set).spheres ? Primitives::native
+                                                                       : Primitives::triangles;
+}
+
+Config stream_config(const ConfigChoice& choice, const Scene& scene, std::vector<std::string>& notes) {
     const Config named = load_config({choice.name, {}});
-    const Config config =
-        with_settings(settled(streaming(widened(named, choice.set))), choice.set, named.name);
+    Config fitted = settled(streaming(widened(named, choice.set), scene));
+    // As for pictures, so that the longer pipeline of tri does not close its credit gate.
+    if (fitted.spheres) fitted.tri_queue = std::max(fitted.tri_queue, 64);
+    const Config config = with_settings(fitted, choice.set, named.name);
     if (!config.is_stream()) throw UserError("--rays needs source=stream; leave out --set source=camera");
     for (std::string& note : ineffective_settings(config, choice.set)) notes.push_back(std::move(note));
     return config;
+}
+
+Config rays_config(const ConfigChoice& choice, const Scene& scene, std::vector<std::string>& notes) {
+    // Only a chip for streams may have spheres=1 without shading=1.
+    return stream_primitives(choice) == Primitives::native ? stream_config(choice, scene, notes)
+                                                           : load_config(choice);
 }
 
 StreamResult run_stream(const StreamJob& stream, const std::vector<int>& clocks, Traffic traffic,

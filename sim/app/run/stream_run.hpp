@@ -7,15 +7,22 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/scene/builtin.hpp"
 #include "sim/run/request/config_file.hpp"
 #include "sim/run/stream/input.hpp"
 #include "sim/view/report/json.hpp"
 
 namespace rayclock {
 
-/// Returns the configuration with the parameters that a stream needs. Throws UserError if the choice
-/// contradicts them. Appends a sentence to `notes` for each setting without effect.
-Config stream_config(const ConfigChoice& choice, std::vector<std::string>& notes);
+/// Returns the form of built-in scenes that the choice requests: true spheres if it sets spheres=1, otherwise
+/// triangles.
+Primitives stream_primitives(const ConfigChoice& choice);
+
+/// Returns the configuration with the parameters that a stream through this scene needs. Throws UserError if
+/// the choice contradicts them. Appends a sentence to `notes` for each setting without effect.
+Config stream_config(const ConfigChoice& choice, const Scene& scene, std::vector<std::string>& notes);
+/// Returns the configuration with which rays are made for a stream through this scene.
+Config rays_config(const ConfigChoice& choice, const Scene& scene, std::vector<std::string>& notes);
 
 /// The results of a stream at each clock.
 struct StreamResult {

@@ -23,10 +23,10 @@ constexpr int max_draws = 200;
 constexpr double max_list_tests = 2e4;
 
 /// Changes a drawn configuration into a chip that reads rays. Throws UserError if the result is not legal.
-Config stream_chip(Config drawn, std::size_t rays) {
-    while (drawn.pixel_bits < max_pixel_bits && std::size_t(1) << 2 * drawn.pixel_bits <= rays)
+Config stream_chip(Config drawn, const StreamInput& input) {
+    while (drawn.pixel_bits < max_pixel_bits && std::size_t(1) << 2 * drawn.pixel_bits <= input.rays().size())
         ++drawn.pixel_bits;
-    const Config config = settled(streaming(drawn));
+    const Config config = settled(streaming(drawn, input.scene()));
     check_config(config, config.name);
     return config;
 }
@@ -35,7 +35,7 @@ Config stream_chip(Config drawn, std::size_t rays) {
 
 std::vector<StreamChip> random_stream_chips(const StreamInput& input, std::uint64_t seed, int count,
                                             const Progress& progress) {
-    const double tests = double(input.rays().size()) * double(input.scene().triangles.size());
+    const double tests = double(input.rays().size()) * double(primitive_count(input.scene()));
     std::vector<StreamChip> chips;
     for (int i = 0; i < count; ++i) {
         std::string last;
@@ -46,7 +46,7 @@ std::vector<StreamChip> random_stream_chips(const StreamInput& input, std::uint6
             Rng dice((seed + std::uint64_t(i)) * 1000 + std::uint64_t(draw));
             chip = {seed + std::uint64_t(i), random_chip(dice.next() >> 16, true), 0, {}};
             try {
-                chip.config = stream_chip(chip.config, input.rays().size());
+                chip.config = stream_chip(chip.config, input);
                 if (chip.config.is_list() && tests > max_list_tests) continue;
                 chip.config.name = fmt::format("random {}", chip.seed);
                 input.job(chip.config, progress);   // throws if the chip's memory or stack is too small

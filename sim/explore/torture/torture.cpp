@@ -94,10 +94,11 @@ Config listed_chip() {
     return c;
 }
 
-/// Rays from memory: two pipelines, groups of four rays, and bursts of two lines.
+/// Rays from memory, and primitives of every kind: two pipelines, groups of four rays, and bursts of two
+/// lines.
 Config rays_chip() {
     Config c = shading_chip();
-    c.spheres = c.planes = c.smooth = c.refraction = c.horizon = c.supersampling = 0, c.panes = 0;
+    c.smooth = c.refraction = c.horizon = c.supersampling = 0, c.panes = 0;
     c.source = RaySource::stream;
     c.timing = Timing::fast, c.raygen_interval = 4;
     c.stream_sets = 2, c.stream_ways = 1, c.stream_line = 128, c.stream_mshrs = 2;

@@ -145,7 +145,7 @@ SolidRay solid_ray(const Ray& ray, const Config& c) {
         r.targets = SolidRay::Targets::planes;
         r.frac -= light_reach + 1;
     }
-    if (kind != RayKind::camera) r.self = ray.self;
+    if (kind != RayKind::camera && !c.is_stream()) r.self = ray.self;   // a stream names no surfaces
     if (kind == RayKind::shadow) {
         for (std::int32_t& o : r.origin) o >>= c.origin_frac();
         r.frac = 0;

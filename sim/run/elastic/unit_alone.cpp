@@ -13,7 +13,6 @@
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
 #include "model/machine/payload_replay.hpp"
-#include "model/unit/tri/tri.hpp"
 #include "sim/run/elastic/corners.hpp"
 #include "sim/run/elastic/dont_care.hpp"
 #include "sim/run/elastic/findings.hpp"
@@ -94,14 +93,13 @@ std::vector<Pair> record(const Job& job, const RecordedFrame& frame, const Shape
     return pairs;
 }
 
-/// Adds as many requests of tri at corners as there are recorded ones.
-void add_tri_corners(std::vector<Pair>& pairs, const Config& config, int seed) {
+/// Adds as many requests at corners as there are recorded ones.
+void add_corners(std::vector<Pair>& pairs, Unit unit, const Config& config, int seed) {
     std::mt19937_64 random{std::uint64_t(seed)};
     const std::size_t recorded = pairs.size();
     for (std::size_t i = 0; i < recorded; ++i) {
-        TriReq request = unpack<TriReq>(pairs[i].request.data(), config);
-        to_corner(request, config, random);
-        pairs.push_back({pack(request, config), pack(tri(request, config), config)});
+        pairs.push_back(pairs[i]);
+        to_corner(unit, pairs.back().request, pairs.back().answer, config, random);
     }
 }
 
@@ -281,7 +279,8 @@ UnitAlone run_unit_alone(const Job& job, const RecordedFrame& frame, const std::
     std::vector<Pair> pairs = record(job, frame, shape, most);
     if (pairs.empty() && !interrupted())
         throw UserError(fmt::format("--unit-only {}: the frame has no request for this unit", unit));
-    if (shape.req == Link::tri_req && has_tri_corners(job.config)) add_tri_corners(pairs, job.config, seed);
+    const Unit made = unit_called(unit).value();
+    if (has_corners(made, job.config)) add_corners(pairs, made, job.config, seed);
     return Alone(job, unit, shape, seed).run(std::move(pairs));
 }
 

@@ -20,8 +20,8 @@ struct UnitAlone {
 /// True if the unit answers each request with one transfer: tri, xform, and the node units.
 bool runs_alone(const std::string& unit);
 
-/// Records at most `most` requests of a frame, with the answers of the unit's pure function. For tri, adds
-/// the same number of corner cases if has_tri_corners(). Then offers them to the unit with random valid and
+/// Records at most `most` requests of a frame, with the answers of the unit's pure function. Adds the same
+/// number of corner cases if has_corners(). Then offers them to the unit with random valid and
 /// ready. Each request gets the number of a ray that is not in flight. Answers may come in any order.
 /// Don't-care outputs are not compared. Throws UserError unless runs_alone().
 UnitAlone run_unit_alone(const Job& job, const RecordedFrame& frame, const std::string& unit, int seed = 1,

@@ -377,7 +377,9 @@ void ray_widths(Package& p, const Config& c) {
     p.flag("HasTextures", c.has_textures());
     p.flag("HasPrimKinds", c.has_kinds());
     p.constant("HoleBits", hole_bits);
-    p.flag("HasHomes", c.has_homes());   // secondary rays start on instances
+    p.flag("HasHomes", c.has_homes());       // secondary rays start on instances
+    p.flag("HasSelf", c.has_self());         // rays name the sphere that they leave
+    p.flag("HasPartial", c.has_partial());   // some rays meet only some primitives
     p.constant("OriginWidth", c.origin_width());
     p.constant("PointWidth", c.point_width());
     p.constant("ApproachShift", c.approach_shift());

@@ -15,6 +15,7 @@
 #include "sim/judge/reference/reference.hpp"
 #include "sim/judge/reference/tiles.hpp"
 #include "sim/run/request/request.hpp"
+#include "sim/run/stream/surface.hpp"
 
 namespace rayclock {
 
@@ -34,9 +35,6 @@ StreamTracer parse_stream_tracer(const std::string& text) {
 StreamInput::StreamInput(Scene scene, std::unique_ptr<const Rays> rays, Outside outside)
     : scene_(std::move(scene)), rays_(std::move(rays)), outside_(outside) {
     refuse_folded(scene_);
-    if (!scene_.spheres.empty() || !scene_.planes.empty())
-        throw UserError(scene_.name +
-                        ": a stream of rays meets triangles only, and the scene has spheres or planes");
     if (!scene_.camera) scene_.camera = fit_camera(scene_, 1);
 }
 
@@ -70,12 +68,10 @@ StreamHit reference_hit(const Reference& reference, const Scene& scene, const St
     StreamHit hit;
     const double t = ray.t_min + double(found.depth) / length;
     if (found.primitive == no_primitive || t > ray.t_max) return hit;
-    const auto& corner = scene.triangles[found.primitive].vertex;
-    const glm::dvec3 a = scene.vertices[corner[0]], b = scene.vertices[corner[1]],
-                     c = scene.vertices[corner[2]];
     hit.hit = true;
     if (ray.any_hit) return hit;
-    hit.back = glm::dot(glm::cross(b - a, c - a), ray.direction) > 0;
+    hit.back =
+        glm::dot(front_normal(scene, found.primitive, ray.origin + t * ray.direction), ray.direction) > 0;
     hit.primitive = found.primitive, hit.t = t, hit.u = double(found.u), hit.v = double(found.v);
     return hit;
 }

@@ -14,7 +14,7 @@ Outside parse_outside(const std::string& text);
 /// A scene and its rays. One input serves jobs of several configurations, which refer to it.
 class StreamInput {
 public:
-    /// Throws UserError if the scene cannot be used with a stream: it is folded, or has spheres or planes.
+    /// Throws UserError if the scene is folded.
     StreamInput(Scene scene, std::unique_ptr<const Rays> rays, Outside outside);
     StreamInput(const StreamInput&) = delete;
     StreamInput& operator=(const StreamInput&) = delete;

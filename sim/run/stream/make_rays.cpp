@@ -16,11 +16,14 @@
 #include "model/base/rng.hpp"
 #include "model/compile/frame.hpp"
 #include "model/compile/lattice.hpp"
+#include "model/compile/plane.hpp"
 #include "model/layout/memory_image.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "sim/files/npy.hpp"
 #include "sim/judge/reference/reference.hpp"
 #include "sim/judge/reference/tiles.hpp"
+#include "sim/run/stream/stream.hpp"
+#include "sim/run/stream/surface.hpp"
 
 namespace rayclock {
 
@@ -51,7 +54,8 @@ public:
         const double diagonal = glm::length(b.hi - b.lo);
         off_ = diagonal * 0x1p-16;
         radius_ = plan.radius > 0 ? plan.radius : diagonal / 10;
-        const Lattice lattice = fit_lattice(scene, scene.camera->eye, config.coord_bits, true);
+        const Lattice lattice = fit_lattice(scene, scene.camera->eye, config.coord_bits, true,
+                                            room_around_planes(scene, streaming(config, scene)));
         const Frame frame = make_frame(*scene.camera, plan.size, lattice, config);
         const auto size = plan.size;
         directions_.resize(std::size_t(size.width) * std::size_t(size.height));
@@ -106,18 +110,16 @@ private:
         if (plan_.kind == RayStreamKind::mirror) return d - 2 * glm::dot(d, spot.normal) * spot.normal;
         return cosine_weighted(spot.normal, dice);
     }
-    /// Returns the spot that a ray hits. Its point lies on the triangle's plane in double precision, because
-    /// the reference's depth is a float.
+    /// Returns the spot that a ray hits. Its point lies on the surface in double precision, because the
+    /// reference's depth is a float.
     Spot spot_of(const glm::dvec3& from, const glm::dvec3& direction) const {
         const Hit hit = reference_.trace(from, direction);
-        if (hit.primitive >= scene_.triangles.size()) return {};
-        const auto& corners = scene_.triangles[hit.primitive].vertex;
-        const glm::dvec3 a = scene_.vertices[corners[0]], b = scene_.vertices[corners[1]],
-                         c = scene_.vertices[corners[2]];
-        glm::dvec3 n = glm::cross(b - a, c - a);
+        if (hit.primitive == no_primitive) return {};
+        const glm::dvec3 near = from + glm::normalize(direction) * double(hit.depth);
+        glm::dvec3 n = front_normal(scene_, hit.primitive, near);
         const double along = glm::dot(n, direction);
         if (along == 0 || !(glm::length(n) > 0)) return {};
-        const glm::dvec3 point = from + direction * (glm::dot(n, a - from) / along);
+        const glm::dvec3 point = point_on(scene_, hit.primitive, near, direction);
         n = glm::normalize(n);
         if (along > 0) n = -n;
         return {true, point + n * off_, n};
@@ -234,7 +236,7 @@ RayStreamPlan ray_stream_plan(const RayStreamChoice& c, const std::string& prefi
 
 std::string rays_npy(const std::vector<StreamRay>& rays, const std::string& scene) {
     if (rays.empty())
-        throw UserError(scene + ": the stream would be empty, because no earlier ray hits a triangle");
+        throw UserError(scene + ": the stream would be empty, because no earlier ray hits a surface");
     const bool plain = std::none_of(rays.begin(), rays.end(), [](const StreamRay& r) {
         return r.any_hit || r.t_min != 0 || std::isfinite(r.t_max);
     });

@@ -15,8 +15,11 @@
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
 #include "model/compile/compile.hpp"
+#include "model/compile/lattice.hpp"
+#include "model/compile/plane.hpp"
 #include "model/compile/surfaces.hpp"
 #include "model/machine/machine.hpp"
+#include "model/unit/tri/vectors.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "sim/files/npy.hpp"
 #include "sim/files/process/interrupt.hpp"
@@ -27,11 +30,12 @@
 
 namespace rayclock {
 
-Config streaming(Config config) {
+Config streaming(Config config, const Scene& scene) {
     config.shading = true;
     config.source = RaySource::stream;
-    config.spheres = config.planes = config.smooth = config.refraction = config.supersampling =
-        config.horizon = config.scan_out = false;
+    config.spheres = !scene.spheres.empty();
+    config.planes = !scene.planes.empty();
+    config.smooth = config.refraction = config.supersampling = config.horizon = config.scan_out = false;
     config.panes = 0;
     return config;
 }
@@ -41,23 +45,33 @@ namespace {
 /// Largest distance of a common origin from the middle of the scene, in diagonals of its bounds.
 constexpr double max_diagonals = 4;
 
-/// Returns the point that must be a lattice point: the common origin of all rays, if they have one and it is
-/// near enough to keep the lattice fine; otherwise the middle of the scene.
-glm::dvec3 anchor_of(const Scene& scene, const Rays& rays) {
+/// The point that must be a lattice point, and the lattice's size in units of its least size.
+struct Anchor {
+    glm::dvec3 point;
+    double room = 1;
+};
+/// Returns the common origin of all rays, if they have one and it is near enough to keep the lattice fine.
+/// The lattice is then the one of a picture from there. Otherwise returns the middle of the scene, with a
+/// margin around spheres.
+Anchor anchor_of(const Scene& scene, const Rays& rays, const Config& config) {
     const Bounds box = bounds(scene);
-    const glm::dvec3 middle = 0.5 * box.lo + 0.5 * box.hi, first = rays[0].origin;
-    if (!(glm::length(first - middle) <= max_diagonals * glm::length(box.hi - box.lo))) return middle;
+    const double largest = largest_coordinate(config.coord_bits);
+    const Anchor middle{0.5 * box.lo + 0.5 * box.hi,
+                        scene.spheres.empty() ? 1 : largest / (largest - sphere_margin)};
+    const glm::dvec3 first = rays[0].origin;
+    if (!(glm::length(first - middle.point) <= max_diagonals * glm::length(box.hi - box.lo))) return middle;
     for (std::size_t i = 1; i < rays.size(); ++i)
         if (rays[i].origin != first) return middle;
-    return first;
+    return {first};
 }
 
 }   // namespace
 
 StreamJob make_stream_job(const Scene& scene, const Rays& rays, const Config& config, Outside outside,
                           const Progress& progress) {
+    const Anchor anchor = anchor_of(scene, rays, config);
     return make_stream_job(scene, rays, config,
-                           compile_scene(scene, anchor_of(scene, rays), config, progress), outside);
+                           compile_scene(scene, anchor.point, config, progress, anchor.room), outside);
 }
 
 StreamJob make_stream_job(const Scene& scene, const Rays& rays, const Config& config, MemoryImage image,
@@ -73,6 +87,12 @@ StreamJob make_stream_job(const Scene& scene, const Rays& rays, const Config& co
                 fmt::format("{}: ray {} begins outside the lattice that holds the scene; --outside clip "
                             "leaves out the part before it",
                             printable(rays.name()), i));
+        if ((!made || made->is_clipped) &&
+            meets_plane_outside(scene, ray, made ? std::optional(made->begin) : std::nullopt))
+            throw UserError(
+                fmt::format("{}: ray {} meets a plane before it enters the lattice that holds the other "
+                            "primitives, and a record holds no point outside the lattice",
+                            printable(rays.name()), i));
         ++(ray.any_hit ? stream.any : stream.closest);
         stream.clipped += made && made->is_clipped;
         stream.missing += !made;
@@ -84,19 +104,57 @@ StreamJob make_stream_job(const Scene& scene, const Rays& rays, const Config& co
     return stream;
 }
 
+namespace {
+
+/// Returns the distance of a plane along a record, in directions.
+double distance_of(const PrimData& plane, const RayRecord& record, const Config& config) {
+    const Vec3l n = cross(minus(plane.b, plane.a), minus(plane.c, plane.a));
+    double height = 0, slope = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        height += double(n[k]) * (plane.a[k] - std::ldexp(record.o[k], -config.origin_frac()));
+        slope += double(n[k]) * record.d[k];
+    }
+    return height / slope;
+}
+
+/// Returns u or v of a plane as a multiple of the given plane's side, counted from its point.
+double along_plane(std::uint32_t part, const PlaneOnLattice& plane, std::size_t side, const Config& config) {
+    const int spare = 32 - config.uv_bits();
+    const std::int32_t whole = std::int32_t(part << spare) >> spare;   // two's complement
+    return std::ldexp(plane.at[side] + std::ldexp(whole, -config.bary_bits), -plane.level[side]);
+}
+
+}   // namespace
+
 StreamHit hit_of(const StreamJob& stream, std::size_t ray, const Closest& answer) {
     StreamHit hit;
     hit.hit = answer.found != 0, hit.back = answer.back != 0;
     const StreamRay given = stream.rays[ray];
     const Config& config = stream.job.config;
-    if (!hit.hit || given.any_hit) return hit;
-    const auto made = on_lattice(given, stream.job.image.lattice, config);
-    if (!made) return hit;
-    const double t =
-        made->begin + std::ldexp(made->scale * answer.t, -(config.dir_bits - 1 + config.t_frac_bits));
+    if (!hit.hit || (given.any_hit && !config.planes)) return hit;
+    const Lattice& lattice = stream.job.image.lattice;
+    const auto made = on_lattice(given, lattice, config);
+    if (!made || ends_at_any(made->record.kind)) return hit;
+
+    const std::size_t first_plane = stream.scene.triangles.size() + stream.scene.spheres.size();
+    double way = std::ldexp(double(answer.t), -(config.dir_bits - 1 + config.t_frac_bits));
+    if (answer.prim >= first_plane && answer.t == (1u << config.t_bits()) - 1)   // beyond the range of t
+        way = distance_of(snap_primitive(stream.scene, lattice, answer.prim), made->record, config);
+    const double t = made->begin + made->scale * way;
     if (t > given.t_max) return {};
+    if (given.any_hit) {
+        hit.back = false;
+        return hit;
+    }
     hit.primitive = answer.prim;
     hit.t = t;
+    if (answer.prim >= first_plane) {
+        const PlaneOnLattice plane =
+            plane_on_lattice(stream.scene.planes[answer.prim - first_plane], lattice);
+        hit.u = along_plane(answer.u, plane, 0, config);
+        hit.v = along_plane(answer.v, plane, 1, config);
+        return hit;
+    }
     hit.u = std::ldexp(double(answer.u), -config.bary_bits);
     hit.v = std::ldexp(double(answer.v), -config.bary_bits);
     return hit;

@@ -22,8 +22,9 @@ struct StreamJob {
     std::size_t clipped = 0, missing = 0;   ///< rays that begin outside the lattice, and rays that miss it
 };
 /// Puts the rays on the scene's lattice. If all rays begin at one point, at most four diagonals of the scene
-/// from its middle, this point is a lattice point. Otherwise the middle is one. Throws UserError, which names
-/// the ray, if `outside` is refuse and a ray begins outside the lattice.
+/// from its middle, this point is a lattice point. Otherwise the middle is one, and the lattice has a margin
+/// around spheres (sphere_margin). Throws UserError, which names the ray, if `outside` is refuse and a ray
+/// begins outside the lattice, or if a ray meets a plane there.
 StreamJob make_stream_job(const Scene& scene, const Rays& rays, const Config& config, Outside outside,
                           const Progress& progress = {});
 
@@ -31,8 +32,8 @@ StreamJob make_stream_job(const Scene& scene, const Rays& rays, const Config& co
 StreamJob make_stream_job(const Scene& scene, const Rays& rays, const Config& config, MemoryImage image,
                           Outside outside);
 
-/// The configuration with exactly the parameters that a stream of rays needs.
-Config streaming(Config config);
+/// The configuration with exactly the units that a stream of rays through this scene needs.
+Config streaming(Config config, const Scene& scene);
 
 /// The answer to a ray. t, u and v are NaN unless it requests the closest hit and has one.
 struct StreamHit {
@@ -64,8 +65,8 @@ struct StreamJudgement {
     std::string first;   ///< the first fault: its ray and what is wrong
     double seconds = 0;
 };
-/// Judges every ray against all triangles of the scene, in exact arithmetic (judge_answer()). With two levels
-/// the rays are rounded for each instance, and a wrong map in memory makes every answer wrong.
+/// Judges every ray against all primitives of the scene, in exact arithmetic (judge_answer()). With two
+/// levels the rays are rounded for each instance, and a wrong map in memory makes every answer wrong.
 StreamJudgement judge_stream(const StreamJob& stream, const std::vector<Closest>& answers, int threads = 0,
                              const Progress& progress = {});
 

@@ -41,15 +41,24 @@ Config all_units(Config c) {
     return c;
 }
 
+Config streaming_alone(Config c) {
+    c = shading_alone(c);
+    c.source = RaySource::stream;
+    c.scan_out = false;
+    if (c.is_board()) c.dram = Config{}.dram;   // the board has a screen
+    return c;
+}
+
 std::vector<Variant> variants_of(const Config& base) {
-    std::vector<Variant> all{{"hits", base}, {"shading", shading_alone(base)}};
+    std::vector<Variant> all{
+        {"hits", base}, {"stream", streaming_alone(base)}, {"shading", shading_alone(base)}};
     all[0].config.shading = all[0].config.horizon = false, all[0].config.panes = 0;
     for (const char* unit : further) {
         parameter(unit).set(all[0].config, 0);
-        all.push_back({std::string("shading, ") + unit, shading_alone(base)});
+        all.push_back({std::string("shading, ") + unit, shading_alone(base), shading_only});
         parameter(unit).set(all.back().config, 1);
     }
-    all.push_back({"all units", all_units(base)});
+    all.push_back({"all units", all_units(base), shading_only});
     for (const Variant& variant : all) {
         check_config(variant.config, base.name + " (" + variant.name + ")");
         check_rtl(variant.config);

@@ -1,4 +1,4 @@
-// Runs both machines again and records the cycles around a divergence.
+// Runs both machines again, or the RTL alone, and records the cycles around a divergence.
 #include "sim/view/divergence/capture.hpp"
 
 #include <algorithm>
@@ -19,12 +19,12 @@ namespace {
 
 class Capturer {
 public:
-    Capturer(const Job& job, Traffic traffic, int seed, std::uint64_t divergence, const std::string& path)
+    Capturer(const Job& job, Traffic traffic, int seed, std::uint64_t divergence, const std::string& path,
+             bool with_model)
         : job_(job),
           path_(path),
           first_(divergence - std::min(divergence, cycles_before)),
           last_(divergence + cycles_after),
-          model_(job.config, job.khz, traffic),
           rtl_(job.image, job.config, job.khz, traffic, seed, Waves::yes),
           image_(job.image),
           payloads_(std::in_place, image_, job.config) {
@@ -33,6 +33,8 @@ public:
                 if (is_there(Link(c), job.config) && (p == 0 || c < pipeline_links))
                     capture_.links.push_back({p, Link(c)});
         capture_.first = first_;
+        capture_.has_model = with_model;
+        if (with_model) model_.emplace(job.config, job.khz, traffic);
     }
     ~Capturer() {
         if (writes_) rtl_.module().end_wave();
@@ -47,10 +49,11 @@ public:
                     payloads_.emplace(image_, job_.config);
                     rtl_.change(frames[f].upload);
                 }
-                prepare_frame(model_, f, std::span(frames));
+                if (model_) prepare_frame(*model_, f, std::span(frames));
                 prepare_frame(rtl_, f, std::span(frames));
                 if (!run_frame(frames[f], progress)) break;
             }
+            while (!model_ && rtl_.cycle() <= last_ && !interrupted()) cycle();
         } catch (const RtlAssertion&) {   // the previous run has reported it
         }
         if (std::exchange(writes_, false))
@@ -63,10 +66,10 @@ public:
 private:
     /// False once enough is seen.
     bool run_frame(const RecordedFrame& frame, const Progress& progress) {
-        model_.start(frame.frame, frame.trace);
+        if (model_) model_->start(frame.frame, frame.trace);
         rtl_.start(frame.frame);
         payloads_->start(frame.frame);
-        while (!(model_.done() && rtl_.done())) {
+        while (!(rtl_.done() && (!model_ || model_->done()))) {
             if (rtl_.cycle() > last_ || interrupted()) return false;
             cycle();
             if (progress && rtl_.cycle() % (1 << 14) == 0)
@@ -87,11 +90,12 @@ private:
             rtl_.module().dump_wave(10 * now + 5);
             capture_.cycles.emplace_back(capture_.links.size());
         }
-        model_.step([&](const Move& move) {
-            (*payloads_)(move, [&](int pipeline, Link link, const auto& payload) {
-                if (shows) at(pipeline, link).model = pack(payload, job_.config);
+        if (model_)
+            model_->step([&](const Move& move) {
+                (*payloads_)(move, [&](int pipeline, Link link, const auto& payload) {
+                    if (shows) at(pipeline, link).model = pack(payload, job_.config);
+                });
             });
-        });
         if (shows) note(now);
         rtl_.clock([](const HitOut&) {});
         if (shows) rtl_.module().dump_wave(10 * now + 10);
@@ -115,8 +119,10 @@ private:
                 return ((shared ? common : own) & bit_of_link) != 0;
             };
             LinkCycle& state = capture_.cycles.back()[i];
-            state.model_valid = has(model_.valid_mask(pipeline), model_.shared_valid());
-            state.model_fires = has(model_.fire_mask(pipeline), model_.shared_fire());
+            if (model_) {
+                state.model_valid = has(model_->valid_mask(pipeline), model_->shared_valid());
+                state.model_fires = has(model_->fire_mask(pipeline), model_->shared_fire());
+            }
             state.rtl_valid = has(rtl_.valid_mask(pipeline), rtl_.shared_valid());
             state.rtl_fires = has(rtl_.fire_mask(pipeline), rtl_.shared_fire());
             if (state.rtl_valid) {
@@ -124,7 +130,7 @@ private:
                 state.rtl.assign((port.bytes + 3) / 4, 0);
                 std::memcpy(state.rtl.data(), port.data, port.bytes);
             }
-            differs = differs || state.differs();
+            differs = differs || (model_ && state.differs());
         }
         if (differs && !capture_.differs_at) capture_.differs_at = now;
     }
@@ -132,7 +138,7 @@ private:
     const Job& job_;
     std::string path_;
     std::uint64_t first_, last_;
-    Machine model_;
+    std::optional<Machine> model_;
     RtlMachine rtl_;
     MemoryImage image_;   // of the frame that runs
     std::optional<PayloadReplay> payloads_;
@@ -150,8 +156,9 @@ bool LinkCycle::differs() const {
 }
 
 Capture capture(const Job& job, const std::vector<RecordedFrame>& frames, Traffic traffic, int seed,
-                std::uint64_t divergence, const std::string& wave_path, const Progress& progress) {
-    return Capturer(job, traffic, seed, divergence, wave_path).run(frames, progress);
+                std::uint64_t divergence, const std::string& wave_path, bool with_model,
+                const Progress& progress) {
+    return Capturer(job, traffic, seed, divergence, wave_path, with_model).run(frames, progress);
 }
 
 }   // namespace rayclock

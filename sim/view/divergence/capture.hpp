@@ -1,5 +1,5 @@
 #pragma once
-// The links of both machines around a divergence.
+// The links of both machines, or of the RTL alone, around a divergence.
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +22,7 @@ struct Capture {
         int pipeline;   ///< 0 for links that all pipelines share
         Link link;
     };
+    bool has_model = true;   ///< false: the model did not run, and its part of each LinkCycle is empty
     std::vector<CapturedLink> links;
     std::uint64_t first = 0;                      ///< machine cycle
     std::vector<std::vector<LinkCycle>> cycles;   ///< [cycle - first][link]
@@ -32,8 +33,10 @@ constexpr std::uint64_t cycles_before = 1000, cycles_after = 20;
 
 /// Runs both machines again from reset until shortly after the divergence. The RTL is a library that writes
 /// its signals to `wave_path`, beginning `cycles_before` cycles before the divergence. A cycle takes 10 units
-/// of time, and its signals are settled from the 5th on. The result is partial if interrupted().
+/// of time, and its signals are settled from the 5th on. Without the model, the RTL continues after its last
+/// frame. The result is partial if interrupted().
 Capture capture(const Job& job, const std::vector<RecordedFrame>& frames, Traffic traffic, int seed,
-                std::uint64_t divergence, const std::string& wave_path, const Progress& progress);
+                std::uint64_t divergence, const std::string& wave_path, bool with_model,
+                const Progress& progress);
 
 }   // namespace rayclock

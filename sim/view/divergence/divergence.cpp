@@ -23,7 +23,7 @@ constexpr const char *wave_name = "divergence.fst", *view_name = "divergence.gtk
 
 /// Registers start at random, and in another order in RTL that has waves: what hangs on them may differ.
 std::string note_of(const Divergence& first, const Capture& capture) {
-    if (!first.on || capture.differs_at == first.cycle) return {};
+    if (!first.on || !capture.has_model || capture.differs_at == first.cycle) return {};
     if (!capture.differs_at)
         return "The second run, whose registers start with other values, did not diverge: something is used "
                "before it is set.";
@@ -43,20 +43,22 @@ void check_divergence_folder(const std::string& folder) {
 DivergenceShow::DivergenceShow(const DivergedRun& d, const std::string& folder, const Progress& progress)
     : work_("rayclock-divergence"),
       rtl_wave_(work_.path() / "rtl.fst"),
-      seen_(capture(d.job, d.frames, d.traffic, d.seed, d.first.cycle, rtl_wave_, progress)) {
+      seen_(capture(d.job, d.frames, d.traffic, d.seed, d.first.cycle, rtl_wave_, !d.is_elastic, progress)) {
     if (interrupted()) throw Interrupted("interrupted while the waveform was made");
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) throw UserError(folder + ": cannot be made (" + error.message() + ")");
     const auto path = [&](const char* name) { return (fs::path(folder) / name).lexically_normal().string(); };
-    files_ = {path(wave_name), path(view_name), path(page_name), note_of(d.first, seen_)};
+    files_ = {path(wave_name), path(view_name), d.is_elastic ? "" : path(page_name), note_of(d.first, seen_)};
     const Config& config = d.job.config;
     write_bytes(files_.wave, waveform(seen_, config, rtl_wave_));
     write_bytes(files_.view, waveform_view(seen_, config, d.first, rtl_wave_, wave_name));
 }
 
 DivergenceFiles DivergenceShow::page(const DivergedRun& d) {
-    write_bytes(files_.page, divergence_page(d, seen_, source_of(d.first, d.job.config), files_, rtl_wave_));
+    if (!files_.page.empty())
+        write_bytes(files_.page,
+                    divergence_page(d, seen_, source_of(d.first, d.job.config), files_, rtl_wave_));
     return files_;
 }
 

@@ -34,10 +34,11 @@ public:
         for (const Capture::CapturedLink& where : capture.links) {
             out.open_scope(scope_of(where, config));
             Signals s;
-            for (std::size_t i = 0; i < flag_names.size(); ++i) s.flags[i] = out.add_bits(flag_names[i], 1);
+            for (std::size_t i = 0; i < flag_names.size(); ++i)
+                if (has(i)) s.flags[i] = out.add_bits(flag_names[i], 1);
             s.fields = payload_fields(where.link, config);
             for (const PayloadField& field : s.fields) {
-                s.model.push_back(out.add_bits(field.name + "_model", field.width));
+                if (capture.has_model) s.model.push_back(out.add_bits(field.name + "_model", field.width));
                 s.rtl.push_back(out.add_bits(field.name + "_rtl", field.width));
             }
             out.close_scope();
@@ -56,6 +57,8 @@ public:
 
 private:
     static constexpr std::array flag_names{"valid_model", "valid_rtl", "fires_model", "fires_rtl", "differs"};
+    /// True if the file has a flag: without the model only the RTL's, which are the second and the fourth.
+    bool has(std::size_t flag) const { return capture_.has_model || flag == 1 || flag == 3; }
     struct Signals {
         std::array<FstWriter::Signal, flag_names.size()> flags;
         std::vector<PayloadField> fields;
@@ -68,10 +71,11 @@ private:
             const LinkCycle& link = links[i];
             const std::array flags{link.model_valid, link.rtl_valid, link.model_fires, link.rtl_fires,
                                    link.differs()};
-            for (std::size_t f = 0; f < flags.size(); ++f) out_.set_value(signals_[i].flags[f], flags[f]);
+            for (std::size_t f = 0; f < flags.size(); ++f)
+                if (has(f)) out_.set_value(signals_[i].flags[f], flags[f]);
             for (std::size_t f = 0; f < signals_[i].fields.size(); ++f) {
                 const PayloadField& field = signals_[i].fields[f];
-                set(signals_[i].model[f], field, link.model);
+                if (capture_.has_model) set(signals_[i].model[f], field, link.model);
                 set(signals_[i].rtl[f], field, link.rtl);
             }
         }
@@ -110,13 +114,17 @@ std::string hexadecimal(std::string_view digits) {
     return text;
 }
 
-std::vector<GtkwSignal> signals_of_link(const Capture::CapturedLink& where, const Config& config) {
+std::vector<GtkwSignal> signals_of_link(const Capture::CapturedLink& where, bool has_model,
+                                        const Config& config) {
+    using Names = std::vector<const char*>;
     const std::string path = "links." + scope_of(where, config) + ".";
     std::vector<GtkwSignal> all;
-    for (const char* flag : {"differs", "valid_model", "valid_rtl", "fires_model", "fires_rtl"})
+    for (const char* flag : has_model
+                                ? Names{"differs", "valid_model", "valid_rtl", "fires_model", "fires_rtl"}
+                                : Names{"valid_rtl", "fires_rtl"})
         all.push_back({GtkwSignal::As::bits, path + flag});
     for (const PayloadField& field : payload_fields(where.link, config))
-        for (const char* side : {"_model", "_rtl"}) {
+        for (const char* side : has_model ? Names{"_model", "_rtl"} : Names{"_rtl"}) {
             all.push_back({field.width > 1 ? GtkwSignal::As::hexadecimal : GtkwSignal::As::bits,
                            path + ranged(field.name + side, field.width)});
         }
@@ -191,15 +199,16 @@ std::string waveform_view(const Capture& capture, const Config& config, const Di
     };
     for (const Capture::CapturedLink& where : capture.links)
         if (at(where))
-            view.groups.push_back({fmt::format("link {}: model and RTL", scope_of(where, config)),
-                                   signals_of_link(where, config)});
+            view.groups.push_back({fmt::format(capture.has_model ? "link {}: model and RTL" : "link {}",
+                                               scope_of(where, config)),
+                                   signals_of_link(where, capture.has_model, config)});
     for (const Capture::CapturedLink& where : capture.links) {
         const LinkInfo& info = link_infos[index(where.link)];
         const bool near = (unit == info.from || unit == info.to) &&
                           (where.pipeline == divergence.pipeline || index(where.link) >= pipeline_links);
         if (near && !at(where))
-            view.groups.push_back(
-                {fmt::format("link {}", scope_of(where, config)), signals_of_link(where, config), false});
+            view.groups.push_back({fmt::format("link {}", scope_of(where, config)),
+                                   signals_of_link(where, capture.has_model, config), false});
     }
     view.groups.push_back({"unit " + divergence.unit, signals_of(rtl_wave, unit, divergence.pipeline)});
     return gtkw_text(view);

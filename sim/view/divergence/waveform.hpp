@@ -8,7 +8,8 @@
 namespace rayclock {
 
 /// Returns the bytes of an FST file: the RTL's signals from the file that the chip wrote, and every link of
-/// model and RTL, "links.box_rsp.t_near_model" and "links.box_rsp.t_near_rtl".
+/// model and RTL, "links.box_rsp.t_near_model" and "links.box_rsp.t_near_rtl". Without the model, the links
+/// have the RTL's signals only.
 std::string waveform(const Capture& capture, const Config& config, const std::string& rtl_wave);
 
 /// Returns GTKWave's save file for it. GTKWave first shows the link of the divergence, then the unit's other

@@ -26,6 +26,18 @@ std::string broken_rtl(const Folder& folder, const std::string& file, const std:
     return copy;
 }
 
+/// Checks that every signal of GTKWave's save file exists.
+void check_view(const std::string& folder, const Waveform& wave) {
+    std::istringstream view(bytes_of(folder + "/divergence.gtkw"));
+    std::size_t shown = 0;
+    for (std::string line; std::getline(view, line);) {
+        if (!line.starts_with("links.") && !line.starts_with("TOP.")) continue;
+        ++shown;
+        CHECK(wave.names().count(line) == 1);
+    }
+    CHECK(shown > 50);
+}
+
 /// Checks waveform, save file and page of a divergence of u on the link tri_rsp.
 void check_waveform(const Folder& folder, const nlohmann::json& d) {
     const std::string out = folder.name("out") + "/";
@@ -55,16 +67,7 @@ void check_waveform(const Folder& folder, const nlohmann::json& d) {
     REQUIRE(!offered.empty());
     CHECK(wave.at(offered, time + 5) == "1");
 
-    // Every signal of GTKWave's save file exists.
-    std::istringstream view(bytes_of(out + "divergence.gtkw"));
-    std::size_t shown = 0;
-    for (std::string line; std::getline(view, line);) {
-        if (!line.starts_with("links.") && !line.starts_with("TOP.")) continue;
-        ++shown;
-        CHECK(wave.names().count(line) == 1);
-    }
-    CHECK(shown > 50);
-
+    check_view(folder.name("out"), wave);
     const std::string page = bytes_of(out + "divergence.html");
     for (const std::string& part :
          {std::string("with another payload"), std::string("rtl/unit/tri/rc_tri.sv:"),
@@ -115,6 +118,28 @@ TEST_CASE("verify names the first divergence of wrong RTL, and shows it as a wav
     const std::string page = bytes_of(folder.name("out/divergence.html"));
     CHECK(page.find("<dt>made by</dt><dd>rtl/unit/tri/rc_hitdiv.sv:") != std::string::npos);
     CHECK(page.find("<code>assign u_o = (BaryBits+1)") != std::string::npos);
+
+    // An elastic run finds the same value, and its waveform has the RTL alone.
+    const Outcome elastic = run_program({"verify", "tetra:3", "--size", "24x18", "--config", "small",
+                                         "--elastic", "tri", "--json", file, "-o", folder.name("elastic")},
+                                        environment);
+    INFO(elastic.out << elastic.err);
+    CHECK(elastic.code == 1);
+    const nlohmann::json e = nlohmann::json::parse(bytes_of(file))["first_divergence"];
+    CHECK(e["expected"] == expected);
+    CHECK(e["got"] == got);
+    REQUIRE(e["wave"] == folder.name("elastic/divergence.fst"));
+    const Waveform wave(e["wave"]);
+    const std::uint64_t time = 10 * e["cycle"].get<std::uint64_t>();
+    CHECK(wave.at("links.tri_rsp.fires_rtl", time) == "1");
+    CHECK(std::stol(wave.at(wave.name_with("links.tri_rsp.u_rtl"), time), nullptr, 2) ==
+          std::stol(got.substr(2)));
+    CHECK(wave.name_with("links.tri_rsp.u_model").empty());
+    CHECK(wave.last() > time);
+    check_view(folder.name("elastic"), wave);
+    CHECK(!fs::exists(folder.name("elastic/divergence.html")));
+    CHECK(elastic.out.find("divergence.gtkw") != std::string::npos);
+    CHECK(elastic.out.find("page:") == std::string::npos);
 
     // render shows the frame of the faulty RTL and does not stop.
     CHECK(run_program({"render", "tetra:3", "--size", "24x18", "--config", "small", "--engine", "rtl", "-o",

@@ -291,7 +291,6 @@ TEST_CASE("options that a stream cannot use are refused", "[rays]") {
     CHECK(idle.code == 0);
     CHECK(idle.err.find("surf_sets has no effect with source=stream") != std::string::npos);
     CHECK(run_program({"simulate", "gears:1", "--rays", rays, "--set", "coord_bits=20"}).code == 0);
-    CHECK(refused({"simulate", "spheres", "--rays", rays}).find("meets triangles only") != std::string::npos);
     CHECK(refused({"rays", "gears:1", "--kind", "light", "-o", rays}).find("is not one of camera") !=
           std::string::npos);
 }

@@ -75,8 +75,8 @@ mutant(judge_plane_rounded_to_zero FILE model/unit/tri/test_primitive.cpp TEST s
   OLD [[if (scaled < 0 && whole * det != scaled) --whole;]]
   NEW [[;]])
 mutant(judge_sphere_shades_itself FILE model/unit/tri/test_primitive.cpp TEST simulate "balls:1 --depth 1"
-  OLD [[if (sphere.prim == ray.self) return seen_inside && ray.is_inside != 0 && from_outside;]]
-  NEW [[if (sphere.prim == ray.self) return from_outside;]])
+  OLD [[return seen_inside && ray.is_inside != 0 && from_outside;]]
+  NEW [[return from_outside;]])
 mutant(judge_sphere_left_is_met_again FILE model/unit/tri/test_primitive.cpp TEST simulate
   "spheres --depth 3"
   OLD [[    if (own && !ray.is_inside) return;]]

@@ -94,3 +94,46 @@ mutant(sweep_takes_one_stream_for_another FILE sim/explore/sweep/evaluate_points
 mutant(reference_answers_beyond_the_end FILE sim/run/stream/input.cpp TEST cli "the reference's answers*"
   OLD [[|| t > ray.t_max) return hit;]]
   NEW [[|| t > 2 * ray.t_max) return hit;]])
+
+# ---- Spheres and planes in streams.
+mutant(stream_meets_no_sphere FILE rtl/unit/tri/rc_tri.sv TEST system
+  "model and RTL trace a stream through spheres*"
+  OLD [[assign in_own    = 1'b0;]]
+  NEW [[assign in_own    = 1'b1;]])
+mutant(stream_ray_leaves_primitive_0 FILE model/unit/tri/test_primitive.cpp TEST system
+  "every structure gives a stream through spheres*"
+  OLD [[const bool own = config.has_self() &&]]
+  NEW [[const bool own = config.spheres &&]])
+mutant(stream_judge_lets_a_ray_leave_primitive_0 FILE sim/judge/paths/answer.cpp TEST system
+  "every structure gives a stream through spheres*"
+  OLD [[if (kind != RayKind::camera && !c.is_stream()) r.self]]
+  NEW [[if (kind != RayKind::camera) r.self]])
+mutant(stream_spheres_have_no_margin FILE sim/run/stream/stream.cpp TEST system
+  "rays from outside meet spheres*"
+  OLD [[largest / (largest - sphere_margin)]]
+  NEW [[largest / largest]])
+mutant(stream_meets_a_plane_behind_its_end FILE model/compile/stream.cpp TEST system
+  "hits on spheres and planes*"
+  OLD [[is_segment && config.planes;]]
+  NEW [[is_segment && config.planes && false;]])
+mutant(stream_plane_beyond_t_is_near FILE sim/run/stream/stream.cpp TEST system "hits on spheres and planes*"
+  OLD [[answer.t == (1u << config.t_bits()) - 1)]]
+  NEW [[answer.t == 0)]])
+mutant(stream_plane_is_counted_from_the_lattice FILE sim/run/stream/stream.cpp TEST system
+  "hits on spheres and planes*"
+  OLD [[plane.at[side] + std::ldexp]]
+  NEW [[std::ldexp]])
+mutant(stream_plane_outside_is_passed FILE model/compile/stream.cpp TEST system
+  "a ray that begins outside the lattice is clipped unless*"
+  OLD [[(!begin || t < *begin)]]
+  NEW [[(begin && t < *begin)]])
+mutant(stream_sphere_seen_from_the_other_side FILE sim/run/stream/surface.cpp TEST system
+  "hits on spheres and planes*"
+  OLD [[shape.sphere ? point - shape.point]]
+  NEW [[shape.sphere ? shape.point - point]])
+
+# ---- Units alone.
+mutant(unit_alone_keeps_zeros_out_of_corners FILE sim/run/elastic/corners.cpp TEST system
+  "units that decide nodes agree alone*"
+  OLD [[if (d == Vec3i{}) d[0] = -1;]]
+  NEW [[for (std::int32_t& x : d) x |= 1;]])

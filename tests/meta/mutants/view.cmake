@@ -64,10 +64,8 @@ mutant(divergence_is_a_cycle_later FILE sim/run/lockstep/lockstep.cpp TEST meta
   NEW [[now - watched_->cycle + 1, same);]])
 mutant(divergence_waveform_has_the_sides_swapped FILE sim/view/divergence/waveform.cpp TEST cli
   "verify names the first divergence*"
-  OLD [[                set(signals_[i].model[f], field, link.model);
-                set(signals_[i].rtl[f], field, link.rtl);]]
-  NEW [[                set(signals_[i].model[f], field, link.rtl);
-                set(signals_[i].rtl[f], field, link.model);]])
+  OLD [[set(signals_[i].model[f], field, link.model);]]
+  NEW [[set(signals_[i].model[f], field, link.rtl);]])
 mutant(cone_goes_before_the_first_cycle FILE sim/view/divergence/cone.cpp TEST observe
   "a register that has held the value*"
   OLD [[return since > 0 ? std::make_optional(since - 1) : std::nullopt;]]

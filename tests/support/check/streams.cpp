@@ -11,6 +11,7 @@ std::vector<StreamRay> random_rays(const Scene& scene, std::size_t count, std::u
     glm::dvec3 low{1e300}, high{-1e300};
     for (const auto& p : scene.vertices)
         low = glm::min(low, glm::dvec3(p)), high = glm::max(high, glm::dvec3(p));
+    if (!scene.spheres.empty() || !scene.planes.empty()) low = bounds(scene).lo, high = bounds(scene).hi;
     Rng dice(seed);
     const auto unit = [&] { return double(dice.next() >> 11) * 0x1p-53; };
     const auto point = [&] { return low + glm::dvec3(unit(), unit(), unit()) * (high - low); };

@@ -297,7 +297,8 @@ TEST_CASE("a unit alone gives the answers of the model's pure function, in any o
         const UnitAlone result = run_unit_alone(job, frame, unit);
         CHECK(result.agrees());
         CHECK(result.answers == result.requests);
-        CHECK(result.answers == (unit == "tri" ? 2 * frame.trace.triangle_tests : frame.trace.visits));
+        // As many corner cases follow.
+        CHECK(result.answers == 2 * (unit == "tri" ? frame.trace.triangle_tests : frame.trace.visits));
     }
     for (const auto& [unit, file] : {std::pair{"tri", "slow_tri.sv"}, std::pair{"box", "unordered_box.sv"}}) {
         const OtherUnit other(unit, rtl_folder + file);
@@ -314,6 +315,25 @@ TEST_CASE("a unit alone gives the answers of the model's pure function, in any o
     }
     CHECK_THROWS_WITH(run_unit_alone(job, frame, "list"), Contains("cannot run alone"));
     CHECK_THROWS_WITH(run_unit_alone(job, frame, "shade"), Contains("no such unit"));
+}
+
+TEST_CASE("units that decide nodes agree alone, also in corners that no ray of the frame reaches", "[slow]") {
+    for_each_engine([]<class E>(E) {
+        for (const int shading : {0, 1}) {
+            const std::string unit = unit_name(E::structure);
+            INFO(unit << ", shading=" << shading);
+            const Job job =
+                small_job({{"structure", int(E::structure)}, {"shading", shading}, {"stack_depth", 64}});
+            const RecordedFrame frame = record_frame(job, job.frame);
+            const UnitAlone result = run_unit_alone(job, frame, unit, 3);
+            CHECK(result.agrees());
+            CHECK(result.answers == 2 * frame.trace.visits);
+        }
+    });
+    // Rays of the frame have no component of 0.
+    const Job job = small_job();
+    const OtherUnit other("slab", {{"s0_len_i == '0;", "1'b0;"}});
+    CHECK_FALSE(run_unit_alone(job, record_frame(job, job.frame), "box").agrees());
 }
 
 TEST_CASE("every wrong, lost or repeated transfer is named with its unit and link", "[slow]") {

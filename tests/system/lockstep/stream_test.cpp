@@ -82,7 +82,7 @@ struct ExportedPicture {
         : scene(with_camera(load_scene(name))),
           config(fitted_config(scene, {}, wanted)),
           rays("camera rays", make_rays(scene, camera_rays(), config)),
-          stream(make_stream_job(scene, rays, streaming(config), Outside::refuse)) {
+          stream(make_stream_job(scene, rays, streaming(config, scene), Outside::refuse)) {
         const Job picture = make_job(scene, *scene.camera, size, config);
         drawn = record_frame(picture, picture.frame).trace.hits;
         traced = record_frame(stream.job, stream.job.frame).trace.hits;
@@ -446,8 +446,8 @@ TEST_CASE("a stream that the chip cannot number or hold is refused", "[stream]")
 
 TEST_CASE("a chip for streams has no unit that only a picture needs", "[stream]") {
     const Config config = streaming_config(quick_config("default"));
-    for (const std::string item : {"smooth=1", "refraction=1", "supersampling=1", "horizon=1", "spheres=1",
-                                   "planes=1", "scan_out=1"}) {
+    for (const std::string item :
+         {"smooth=1", "refraction=1", "supersampling=1", "horizon=1", "scan_out=1"}) {
         INFO(item);
         CHECK_THROWS_WITH(with_settings(config, {item}, "here"),
                           Catch::Contains(item + " needs source=camera"));
@@ -456,5 +456,5 @@ TEST_CASE("a chip for streams has no unit that only a picture needs", "[stream]"
                       Catch::Contains("source=stream needs shading=1"));
     Config all = config;
     all.scan_out = all.smooth = all.spheres = true;
-    CHECK_NOTHROW(check_config(streaming(all), "here"));
+    CHECK_NOTHROW(check_config(streaming(all, load_scene("tetra:1")), "here"));
 }

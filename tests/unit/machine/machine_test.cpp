@@ -35,7 +35,7 @@ Job stream_job_of(const Values& values) {
     const Scene scene = make_builtin("tetra:3", Primitives::triangles);
     const ListedRays rays("random rays", random_rays(scene, 300, 1));
     const Config config = shaped(format("default"), values);
-    return make_stream_job(scene, rays, settled(streaming(config)), Outside::clip).job;
+    return make_stream_job(scene, rays, settled(streaming(config, scene)), Outside::clip).job;
 }
 
 /// Returns a job for a chip with or without shading; the scene "stream" is a stream of rays.
