@@ -81,6 +81,8 @@ package rc_pkg;
   localparam bit HasPrimKinds = 0;
   localparam int unsigned HoleBits = 6;
   localparam bit HasHomes = 0;
+  localparam bit HasSelf = 0;
+  localparam bit HasPartial = 0;
   localparam int unsigned OriginWidth = 18;
   localparam int unsigned PointWidth = 18;
   localparam int unsigned ApproachShift = 0;
