@@ -37,8 +37,8 @@ mutant(rtl_quicker_unit_does_not_wait FILE rtl/unit/trav/rc_tree.sv TEST system
   NEW [[.Pad(rc_pkg::MeshPad / 2)]])
 mutant(model_one_unit_rests_for_both FILE model/machine/pipeline.inl WITH model/machine/machine.cpp
   model/machine/pipeline.cpp TEST system "model and RTL walk two structures alike*"
-  OLD [[((box_hold_left_ == 0) | (m.lower_request != box_is_low_))]]
-  NEW [[(box_hold_left_ == 0)]])
+  OLD [[(!is_held<plain>(box_hold_left_) | (m.lower_request != box_is_low_))]]
+  NEW [[!is_held<plain>(box_hold_left_)]])
 
 # ---- Keyframes, shapes and skins.
 mutant(keyframes_may_stand_still FILE sim/load/json/motion.cpp TEST motion [motion]
