@@ -140,7 +140,7 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
                 {"running", plain},
                 {"done", plain}};
     if (module == "rc_dispatch")
-        return {{"frame", fixed},      {"start", fixed}, {"want", fixed},
+        return {{"frame", fixed},      {"start", fixed}, {"tile_ready", fixed},
                 {"tile_fires", plain}, {"tile", plain},  {"cause", plain}};
     if (module == "rc_sched")
         return {{"frame", fixed}, {"start", fixed}, {"tile", granted}, {"slot", out},
