@@ -63,7 +63,8 @@ public:
 private:
     template <class T> void add(const char* name, const T* member, int width, int count) {
         static_assert(sizeof(T) == 4 || sizeof(T) == 8 || sizeof(T) == 16);
-        RowField f{name, width, count, T(-1) < T(0), sizeof(T), 0, bytes};
+        constexpr bool is_signed = std::is_signed_v<T> || sizeof(T) > 8;
+        RowField f{name, width, count, is_signed, sizeof(T), 0, bytes};
         f.member = std::size_t(reinterpret_cast<const char*>(member) - start_);
         bytes += f.bytes() * std::size_t(f.numbers());
         fields.push_back(std::move(f));
