@@ -7,14 +7,15 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "tests/support/oracle/fractions.hpp"
 #include "sim/judge/oracle/placed.hpp"
 #include "tests/support/cases/draw.hpp"
+#include "tests/support/oracle/fractions.hpp"
 
-using namespace rayclock;
-using namespace rayclock::test;
+namespace rayclock::test::placed_test {
+
 using oracle::PlacedRay;
 using oracle::Rational;
+using test::Draw;
 
 namespace {
 
@@ -219,3 +220,5 @@ TEST_CASE("a small mesh is found where rounding has brought the ray to it", "[le
     }
     CHECK(hits > 100);
 }
+
+}   // namespace rayclock::test::placed_test

@@ -43,9 +43,12 @@ struct Alone {
             if (prim_fill) shared.prim_fill = &*prim_fill;
             node.reset();
             prim.reset();
-            if ((shared.node_miss = nodes && pipeline.node_miss_valid())) node = pipeline.node_miss().id;
-            if ((shared.prim_miss = prims && pipeline.prim_miss_valid())) prim = pipeline.prim_miss().id;
+            const std::uint32_t misses = pipeline.misses(now);
+            if ((shared.node_miss = nodes && (misses & 1) != 0)) node = pipeline.node_miss().id;
+            if ((shared.prim_miss = prims && (misses & 2) != 0)) prim = pipeline.prim_miss().id;
             pipeline.step(now, shared);
+            if (shared.node_miss) pipeline.take_miss(0);
+            if (shared.prim_miss) pipeline.take_miss(1);
             dispatch.clock(granted);
             ++now;
         }
