@@ -94,7 +94,8 @@ Config listed_chip() {
     return c;
 }
 
-/// Rays from memory, and primitives of every kind: two pipelines, groups of four rays, and bursts of two lines.
+/// Rays from memory, and primitives of every kind: two pipelines, groups of four rays, and bursts of two
+/// lines.
 Config rays_chip() {
     Config c = shading_chip();
     c.smooth = c.refraction = c.horizon = c.supersampling = 0, c.panes = 0;
