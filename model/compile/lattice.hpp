@@ -11,9 +11,10 @@ namespace rayclock {
 Lattice fit_lattice(const Scene& scene, const glm::dvec3& eye, int coord_bits, bool cubic = false,
                     double room = 1);
 
-/// Steps between the border of a stream's lattice and all spheres in it, since rays that begin outside are
-/// clipped. A sphere moves outward by less than 2 steps: half a step each by the shift of the lattice and by
-/// its centre's rounding, and less than a third of a step by its radius's.
+/// Steps between the border of a stream's lattice and all spheres in it. Nodes do not reach beyond the
+/// lattice, so a ray along the border would miss a sphere that does. A sphere moves outward by less than 2
+/// steps: half a step each by the shift of the lattice and by its centre's rounding, and less than a third of
+/// a step by its radius's.
 constexpr double sphere_margin = 3;
 
 }   // namespace rayclock
