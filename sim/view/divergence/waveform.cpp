@@ -199,9 +199,9 @@ std::string waveform_view(const Capture& capture, const Config& config, const Di
     };
     for (const Capture::CapturedLink& where : capture.links)
         if (at(where))
-            view.groups.push_back(
-                {"link " + scope_of(where, config) + (capture.has_model ? ": model and RTL" : ""),
-                 signals_of_link(where, capture.has_model, config)});
+            view.groups.push_back({fmt::format("link {}{}", scope_of(where, config),
+                                               capture.has_model ? ": model and RTL" : ""),
+                                   signals_of_link(where, capture.has_model, config)});
     for (const Capture::CapturedLink& where : capture.links) {
         const LinkInfo& info = link_infos[index(where.link)];
         const bool near = (unit == info.from || unit == info.to) &&

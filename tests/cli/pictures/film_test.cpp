@@ -206,7 +206,7 @@ TEST_CASE("illegal options of a film are refused") {
 namespace {
 
 /// Returns the report of a simulation of 320x256 pixels at 66 MHz.
-json report_of(Words more) {
+json film_report(Words more) {
     more.insert(more.begin(), "simulate");
     more.insert(more.end(), {"--size", "320x256", "--no-reference", "--clock", "66", "--json", "-"});
     const Outcome outcome = run_program(more);
@@ -233,7 +233,7 @@ TEST_CASE("a sampled film has the keys of an exact one, and its means and sums a
     const Words film{"crowd:2", "--frames", "3", "--fps", "2"};
     Words with_sample = film;
     with_sample.insert(with_sample.end(), {"--sample", "5%", "--seed", "7"});
-    const json exact = report_of(film), sampled = report_of(with_sample);
+    const json exact = film_report(film), sampled = report_of(with_sample);
     require_same_keys(exact, sampled);
     const json &sampling = sampled["sampling"], &frames = sampling["frames"],
                &whole = exact["clocks"][0]["frames"];
@@ -272,10 +272,10 @@ TEST_CASE("a sampled film has the keys of an exact one, and its means and sums a
 }
 
 TEST_CASE("a frame of a sampled film is the sample of this frame alone, with its own seed") {
-    const json film = report_of(
+    const json film = film_report(
         {"crowd:2", "--frames", "2", "--time", "0.5:1.5", "--sample", "5%", "--seed", "7"})["sampling"];
     for (const auto& [time, seed] : {std::pair{"0.5", 7}, {"1", 8}}) {
-        const json alone = report_of(
+        const json alone = film_report(
             {"crowd:2", "--time", time, "--sample", "5%", "--seed", std::to_string(seed)})["sampling"];
         const json& frame = film["frames"][std::size_t(seed) - 7]["clocks"][0]["figures"];
         for (const auto& [key, figure] : alone["clocks"][0]["figures"].items()) {
@@ -288,7 +288,7 @@ TEST_CASE("a frame of a sampled film is the sample of this frame alone, with its
 TEST_CASE("the caches of a sampled film with a still scene are warm from the second frame on") {
     const auto bytes_of_last = [](Words more) {
         more.insert(more.end(), {"--sample", "5%", "--set", "node_sets=1024", "--set", "prim_sets=1024"});
-        return report_of(more)["sampling"]["clocks"][0]["figures"]["dram_bytes"]["estimate"].get<double>();
+        return film_report(more)["sampling"]["clocks"][0]["figures"]["dram_bytes"]["estimate"].get<double>();
     };
     // The same parts with the same warm-up, except that the first part of a single frame starts cold. This
     // part reads few lines.
