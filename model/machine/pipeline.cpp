@@ -172,7 +172,8 @@ void Pipeline::clock_shade(const Moves& m, std::uint64_t now, std::size_t c) {
     shade_.clock<levels, feed == RayFeed::textured, plain>(
         now, closest, wants, {bool(came.fires & !m.placing), came.ray}, {placed, came.ray},
         m[Link::surf_req].fires, m[Link::spawn].fires, m[Link::hit].fires,
-        {m[Link::tex_rsp].fires, m[Link::tex_rsp].ray}, m[Link::tex_req].fires,
+        feed == RayFeed::textured ? LinkRay(m[Link::tex_rsp]) : LinkRay{},
+        feed == RayFeed::textured && m[Link::tex_req].fires,
         [this](std::uint32_t ray) { return turn_of<feed, levels>(ray); });
 }
 #define RC_INSTANCE(feed, levels)                                                                            \

@@ -193,10 +193,6 @@ mutant(model_window_passes_a_tile FILE model/unit/sched/sched.hpp
   WITH model/machine/machine.cpp model/machine/pipeline.cpp TEST unit "windows of cycles*"
   OLD [[std::uint64_t(last_ - at_) + 1;]]
   NEW [[std::uint64_t(last_ - at_) + 3;]])
-mutant(model_window_misses_an_answer FILE model/mem/memport.hpp
-  WITH model/machine/machine.cpp model/machine/pipeline.cpp model/mem/memory.cpp TEST unit "windows of cycles*"
-  OLD [[std::uint64_t known() const { return latency_; }]]
-  NEW [[std::uint64_t known() const { return latency_ + 1; }]])
 mutant(model_delay_forgets_what_it_keeps FILE model/core/ring.hpp
   WITH tests/unit/core/ring_test.cpp TEST unit [fifo]
   OLD [[if (under_way_ == 0 && cycles > kept_)]]
