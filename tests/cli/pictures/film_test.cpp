@@ -233,7 +233,7 @@ TEST_CASE("a sampled film has the keys of an exact one, and its means and sums a
     const Words film{"crowd:2", "--frames", "3", "--fps", "2"};
     Words with_sample = film;
     with_sample.insert(with_sample.end(), {"--sample", "5%", "--seed", "7"});
-    const json exact = film_report(film), sampled = report_of(with_sample);
+    const json exact = film_report(film), sampled = film_report(with_sample);
     require_same_keys(exact, sampled);
     const json &sampling = sampled["sampling"], &frames = sampling["frames"],
                &whole = exact["clocks"][0]["frames"];
