@@ -1,9 +1,9 @@
 #pragma once
 // Every payload of the machine, described once: its C++ members and their widths. rc_pkg.sv comes from these
-// descriptions. A field has the name of its member, in the RTL and in messages. If a payload contains another
-// one, the RTL's names have a prefix: home_o is home.o, best_num is best.num, prim_kind is triangle.kind.
-// memory_payloads.hpp has the payloads of links to memory, node_payloads.hpp those of node
-// units.
+// descriptions. A field has the name that `fields()` gives it, in the RTL and in messages: nearly always that
+// of its member. If a payload contains another one, the RTL's names have a prefix: home_o is home.o, best_num
+// is best.num, prim_kind is triangle.kind. memory_payloads.hpp has the payloads of links to memory,
+// node_payloads.hpp those of node units.
 //
 // Symbols: N coord_bits, M dir_bits, F t_frac_bits, R recip_bits, W node_width (core/config.hpp). A distance
 // t is in units of 2^-F lattice steps along a direction of length 2^(M-1): t = 2^(M-1+F) * (point - o) / d.

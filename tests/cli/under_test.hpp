@@ -1,4 +1,5 @@
 #pragma once
+// The program that the tests of cli run.
 #include <string>
 
 namespace rayclock::test {

@@ -1,3 +1,4 @@
+// The lattice: points are rounded to the nearest lattice point, within the scene's bounds.
 #include <catch2/catch.hpp>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #pragma once
+// The list of golden pictures, shared by the program that makes them and the test that checks them.
 #include <array>
 
 #include "sim/judge/reference/reference.hpp"
@@ -6,8 +7,6 @@
 #include "model/scene/hit_shading.hpp"
 
 namespace rayclock {
-
-// The list of golden pictures, shared by the program that makes them and the test that checks them.
 
 constexpr std::array golden_scenes{"tetra:6",   "mount:6", "gears:4", "balls:2",
                                    "teapot:12", "rings:2", "cornell", "icosphere:4"};

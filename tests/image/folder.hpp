@@ -1,4 +1,5 @@
 #pragma once
+// A temporary folder for pictures.
 #include <filesystem>
 #include <string>
 

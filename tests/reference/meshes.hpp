@@ -1,4 +1,5 @@
 #pragma once
+// Small meshes and rays for the tests of the reference tracer. They share nothing with the built-in scenes.
 #include <map>
 #include <random>
 #include <utility>
@@ -8,8 +9,6 @@
 #include "model/scene/scene.hpp"
 
 namespace rayclock {
-
-// Small meshes and rays for the tests of the reference tracer. They share nothing with the built-in scenes.
 
 using MeshRng = std::mt19937_64;
 

@@ -1,4 +1,5 @@
 #pragma once
+// An independent judge: Moeller, Trumbore 1997 in long double, without hierarchy and early exit.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,8 +10,6 @@
 #include "model/scene/scene.hpp"
 
 namespace rayclock {
-
-// An independent judge: Moeller, Trumbore 1997 in long double, without hierarchy and early exit.
 
 using Exact3 = glm::vec<3, long double>;
 

@@ -1,4 +1,6 @@
 #pragma once
+// Measurements of meshes for the tests of scenes. Vertices count as equal if they are equal bit by bit,
+// shared or not. That makes a mesh watertight for a tracer.
 #include <array>
 #include <cstddef>
 #include <map>
@@ -11,9 +13,6 @@
 #include "model/scene/scene.hpp"
 
 namespace rayclock {
-
-// Measurements of meshes for the tests of scenes. Vertices count as equal if they are equal bit by bit,
-// shared or not. That makes a mesh watertight for a tracer.
 
 struct Range {
     std::size_t begin, end;   ///< of triangles

@@ -1,5 +1,6 @@
 // A textured room: a tiled floor, wallpaper, a framed picture, a box with large pixels, a plant with holes,
-// and a mirror. Its textures cover every wrap mode and filter. Formulas generate the pictures. The meshes have no vertex normals.
+// and a mirror. Its textures cover every wrap mode and filter. Formulas generate the pictures. The meshes
+// have no vertex normals.
 #include "model/scene/generate/generate.hpp"
 
 #include <array>

@@ -17,7 +17,7 @@ ShadeEvent event_of(const PassIn& in);
 /// Local light: ambient, Lambert, and Phong 1975. Reflection R = 2 (N . V) N - V and refraction by Snell's
 /// law (Whitted 1980), with index 1 for the surrounding medium. Schlick 1994 for Fresnel's term. Unless
 /// stated otherwise every product is rounded once, to nearest, halves up. Colours saturate at 1. Mirror of
-/// rtl/unit/shade/rc_shade.sv, latency Config::shade_latency() + 1, one pass every shade_interval cycles.
+/// rtl/unit/shade/pass/rc_pass.sv, latency Config::pass_latency(), one pass every shade_interval cycles.
 PassOut pass(const PassIn& in, const Frame& frame, const Config& config);
 
 }   // namespace rayclock

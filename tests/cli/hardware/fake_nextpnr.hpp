@@ -1,4 +1,5 @@
 #pragma once
+// A stand-in for nextpnr that copies the files of a real run.
 #include <algorithm>
 #include <filesystem>
 #include <string>

@@ -1,3 +1,4 @@
+// Stand-ins for the readers of pictures and for Assimp, which the targets of scenes do not use.
 #include "tests/fuzz/program/scenes.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// Draws faults at random, one operator after the other.
 #include "tests/meta/campaign/draw.hpp"
 
 namespace rayclock::campaign {

@@ -1,3 +1,4 @@
+// Lists every fault that can be planted in a source.
 #include "tests/meta/campaign/faults.hpp"
 
 #include <array>

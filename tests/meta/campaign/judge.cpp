@@ -1,3 +1,4 @@
+// Judges a fault by the torture set.
 #include "tests/meta/campaign/judge.hpp"
 
 #include <csignal>

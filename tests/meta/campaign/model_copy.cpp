@@ -1,3 +1,4 @@
+// A copy of the sources whose model contains all drawn faults, and a switch that chooses one.
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>

@@ -1,3 +1,4 @@
+// Prints how many faults each set of tests has noticed.
 #include <fmt/format.h>
 
 #include "tests/meta/campaign/stages.hpp"

@@ -1,3 +1,4 @@
+// The rows of the tables of mutants, as faults of the campaign.
 #include "tests/meta/campaign/rows.hpp"
 
 #include <algorithm>

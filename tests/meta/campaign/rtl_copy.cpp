@@ -1,3 +1,4 @@
+// A copy of the RTL that contains all drawn faults, and a switch that chooses one.
 #include <cstdlib>
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Writes all faults of a file into one source. A number selects the fault that is active.
 #include "tests/meta/campaign/schema.hpp"
 
 #include <algorithm>

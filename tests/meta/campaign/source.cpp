@@ -1,3 +1,4 @@
+// Splits a source into the chunks in which faults are planted.
 #include "tests/meta/campaign/source.hpp"
 
 #include <array>

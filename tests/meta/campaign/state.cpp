@@ -1,3 +1,4 @@
+// The files in which a campaign keeps its faults and verdicts, so that it can go on later.
 #include "tests/meta/campaign/state.hpp"
 
 #include <fstream>

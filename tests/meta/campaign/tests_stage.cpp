@@ -1,3 +1,4 @@
+// The stage in which quick tests judge the faults that the torture set has missed.
 #include <chrono>
 #include <cstdlib>
 #include <sys/wait.h>

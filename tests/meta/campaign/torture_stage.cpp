@@ -1,3 +1,4 @@
+// The stage in which the torture set judges every fault.
 #include <cstdio>
 #include <stdexcept>
 

@@ -1,4 +1,5 @@
 #pragma once
+// Checks of memory images that hold bounding spheres.
 #include <string>
 
 #include "model/layout/memory_image.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// list's model and RTL, with the same links.
 #include "model/core/stages.hpp"
 #include "model/unit/list/list.hpp"
 #include "model/unit/list/ray_tests.hpp"

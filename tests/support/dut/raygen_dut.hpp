@@ -1,4 +1,5 @@
 #pragma once
+// raygen's model and RTL, with the same links.
 #include <algorithm>
 
 #include "tests/support/dut/dut.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// sched's model and RTL, with the same links.
 #include "model/unit/sched/dispatch.hpp"
 #include "model/unit/sched/sched.hpp"
 #include "tests/support/dut/dut.hpp"

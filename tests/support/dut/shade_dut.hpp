@@ -1,4 +1,5 @@
 #pragma once
+// shade's model and RTL, with the same links, and the surroundings of both.
 #include <utility>
 
 #include "model/unit/shade/shade.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+// trav's model and RTL, with the same links.
 #include "model/engine/bvh/box.hpp"
 #include "model/unit/trav/trav.hpp"
 #include "tests/support/dut/dut.hpp"

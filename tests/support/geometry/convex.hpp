@@ -1,4 +1,5 @@
 #pragma once
+// Convex bodies, whose surface is the expected share of lines that meet them.
 #include <vector>
 
 #include <glm/vec3.hpp>

@@ -1,4 +1,5 @@
 #pragma once
+// The words of a trace, made from the steps of a walk.
 #include <cstdint>
 #include <vector>
 
