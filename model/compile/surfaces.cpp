@@ -122,7 +122,7 @@ bool is_walled_in(const Scene& scene, const Lattice& lattice, const std::int32_t
 bool coincide(const PlaneOnLattice& one, const PlaneOnLattice& other) {
     const Vec3l n = cross(minus(one.b, one.a), minus(one.c, one.a));
     return std::ranges::all_of(std::array{other.a, other.b, other.c},
-                               [&](const Vec3i& p) { return dot<Wide>(n, minus(p, one.a)) == 0; });
+                               [&](const Vec3i& p) { return dot<Int128>(n, minus(p, one.a)) == 0; });
 }
 
 /// Returns the bit of each plane in a cell. The first planes that transmit have one. Planes that coincide
@@ -155,8 +155,8 @@ PlanesBetween between(const Scene& scene, const Config& config, const Lattice& l
     for (std::size_t i = 0; i < scene.planes.size(); ++i) {
         const PlaneOnLattice on = plane_on_lattice(scene.planes[i], lattice);
         const Vec3l n = cross(minus(on.b, on.a), minus(on.c, on.a));
-        const Wide seen = dot<Wide>(n, minus(eye, on.a)),
-                   lit = dot<Wide>(n, minus({place[0], place[1], place[2]}, on.a));
+        const Int128 seen = dot<Int128>(n, minus(eye, on.a)),
+                     lit = dot<Int128>(n, minus({place[0], place[1], place[2]}, on.a));
         const bool other = seen > 0 ? lit < 0 : lit > 0;
         if (other) found.cell |= panes[i];
         found.clear = found.clear && seen != 0 && !(other && panes[i] == 0);

@@ -191,13 +191,13 @@ struct Change {
     }
 };
 
-__extension__ using Wide = __int128;
+__extension__ using Int128 = __int128;
 
 /// The closest hit so far, as tri compares it: t = num / det exactly (sheared: t |d_z|). For a sphere, num is
 /// t rounded up and det is 2^(M-1+F).
 struct Best {
     std::uint32_t found = 0;
-    Wide num = 0, det = 0;
+    Int128 num = 0, det = 0;
     std::uint32_t prim = 0;
     template <class V> void fields(V& v, const Config& c) {
         v("found", found, 1);
@@ -237,7 +237,7 @@ struct TriReq {
 struct TriRsp {
     std::uint32_t ray = 0;
     std::uint32_t closer = 0;
-    Wide num = 0, det = 0;   ///< as in Best; det > 0
+    Int128 num = 0, det = 0;   ///< as in Best; det > 0
     std::uint32_t prim = 0;
     std::uint32_t t = 0;   ///< ceil(2^(M-1+F) t), saturated
     /// floor(2^bary_bits u / det), the weight of b; v is the weight of c. 2^bary_bits is possible. For a

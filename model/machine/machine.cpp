@@ -162,9 +162,9 @@ void Machine::clock_shared() {
 // In most cycles nothing moves between the pipelines and the shared units.
 inline bool Machine::shared_is_still() const {
     if (has_l2_ || memory_.valid()) return false;
-    bool asks = false;   // without branches, because every cycle evaluates this
-    for (const Pipeline& pipeline : pipelines_) asks |= pipeline.asks(dispatch_.more());
-    return !asks;
+    bool requests = false;   // without branches, because every cycle evaluates this
+    for (const Pipeline& pipeline : pipelines_) requests |= pipeline.has_request(dispatch_.more());
+    return !requests;
 }
 
 void Machine::step() {
@@ -244,7 +244,8 @@ void Machine::pass_window(std::uint64_t cycles) {
     for (const std::uint64_t end = now_ + cycles; now_ < end;) {
         std::uint64_t still = memory_.valid() ? 0 : std::min(end - now_, memory_.still());
         for (const Pipeline& pipeline : pipelines_)
-            if (pipeline.asks(false)) still = pipeline.misses(now_) ? 0 : std::min<std::uint64_t>(still, 1);
+            if (pipeline.has_request(false))
+                still = pipeline.misses(now_) ? 0 : std::min<std::uint64_t>(still, 1);
         if (still == 0) {
             settle_shared(false);
             clock_shared();

@@ -149,7 +149,7 @@ void Pipeline::clock_tex(const Moves& m, std::uint64_t now, const std::uint32_t*
 
 template <Pipeline::RayFeed feed, bool levels, bool plain>
 void Pipeline::clock_shade(const Moves& m, std::uint64_t now, std::size_t c) {
-    Shade::Wants wants = Shade::Wants::nothing;
+    Shade::Fetch fetch = Shade::Fetch::none;
     const LinkRay& closest = left_[c];
     const LinkInside& came = m[Link::surf_rsp];
     const auto next = [this](std::uint32_t ray) -> EndWord {
@@ -163,14 +163,14 @@ void Pipeline::clock_shade(const Moves& m, std::uint64_t now, std::size_t c) {
     if (closest.valid) {   // past the last visit, or its last triangle
         const EndWord word = next(closest.ray);
         if (levels && word.is_place())
-            wants = Shade::Wants::place;
+            fetch = Shade::Fetch::instance;
         else if (word.has_line())
-            wants = Shade::Wants::surface;
+            fetch = Shade::Fetch::surface;
     }
     const bool placed = came.fires & m.placing;
     if (placed) next(came.ray);
     shade_.clock<levels, feed == RayFeed::textured, plain>(
-        now, closest, wants, {bool(came.fires & !m.placing), came.ray}, {placed, came.ray},
+        now, closest, fetch, {bool(came.fires & !m.placing), came.ray}, {placed, came.ray},
         m[Link::surf_req].fires, m[Link::spawn].fires, m[Link::hit].fires,
         feed == RayFeed::textured ? LinkRay(m[Link::tex_rsp]) : LinkRay{},
         feed == RayFeed::textured && m[Link::tex_req].fires,
@@ -192,13 +192,13 @@ LinkMask at(bool on, Link link) { return LinkMask(on) << index(link); }
 }   // namespace
 
 LinkMask Pipeline::valid_mask(const SharedMoves& shared) const {
-    const std::uint32_t asks = misses(~std::uint64_t(0));
-    LinkMask mask = at(shared.tile, Link::tile) | at(asks & 1, Link::node_miss) |
-                    at(shared.node_fill, Link::node_fill) | at(asks & 2, Link::prim_miss) |
+    const std::uint32_t requests = misses(~std::uint64_t(0));
+    LinkMask mask = at(shared.tile, Link::tile) | at(requests & 1, Link::node_miss) |
+                    at(shared.node_fill, Link::node_fill) | at(requests & 2, Link::prim_miss) |
                     at(shared.prim_fill, Link::prim_fill) |
-                    at(asks & 4, surf_or_stream(Link::surf_miss, Link::stream_miss)) |
+                    at(requests & 4, surf_or_stream(Link::surf_miss, Link::stream_miss)) |
                     at(shared.surf_or_stream_fill, surf_or_stream(Link::surf_fill, Link::stream_fill)) |
-                    at(asks & 8, Link::tex_miss) | at(shared.tex_fill, Link::tex_fill);
+                    at(requests & 8, Link::tex_miss) | at(shared.tex_fill, Link::tex_fill);
     for (std::size_t i = 0; i < pipeline_links; ++i) mask |= at(moves_.links[i].valid, outside(Link(i)));
     return mask;
 }

@@ -109,7 +109,7 @@ public:
     /// Returns the context on a link that carries one and fires.
     std::uint32_t ray_on(Link link) const { return moves_[inside(link)].ray; }
     /// True if something is to move between this pipeline and the shared units. `more`: there are tiles left.
-    bool asks(bool more) const { return (misses(~std::uint64_t(0)) != 0) | (tile_ready() & more); }
+    bool has_request(bool more) const { return (misses(~std::uint64_t(0)) != 0) | (tile_ready() & more); }
     Slot slot() const { return sched_.slot(); }
     const Slot& pixel(std::uint32_t ray) const { return sched_.pixel(ray); }
     std::uint32_t node_addr(std::uint32_t ray) const { return VisitWord{rays_[ray].head}.line(); }

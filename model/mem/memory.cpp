@@ -38,7 +38,7 @@ Memory::BusUser Memory::take_turn(const Answer* request, Dram::Answer& what) {
         what = {request->id, request->addr};
         return BusUser::chip;
     }
-    if (!has_room()) return BusUser::nobody;
+    if (!has_room()) return BusUser::none;
     if (frame_buffer_ && frame_buffer_->wants_read()) {
         const FrameBuffer::Read read = frame_buffer_->read();
         what = {first_screen_id_ + read.id, read.addr};
@@ -48,7 +48,7 @@ Memory::BusUser Memory::take_turn(const Answer* request, Dram::Answer& what) {
         what = {0, frame_buffer_->write(), true};
         return BusUser::picture;
     }
-    if (left_ == 0) return BusUser::nobody;
+    if (left_ == 0) return BusUser::none;
     what = {0, written_[written_.size() - left_--], true};
     return BusUser::host;
 }
@@ -58,7 +58,7 @@ void Memory::clock_awake(const Answer* request, std::uint32_t pixels, const Plac
     Dram::Answer asked;
     const bool had_room = has_room();
     const BusUser user = take_turn(request, asked);
-    const bool asks = user != BusUser::nobody;
+    const bool is_used = user != BusUser::none;
     reads_ += user == BusUser::chip;
     if (disturbed_) {
         if (offer_ >= 0) late_.erase(late_.begin() + offer_);
@@ -68,20 +68,20 @@ void Memory::clock_awake(const Answer* request, std::uint32_t pixels, const Plac
     }
     if (board_) {
         const BoardMemory::Line line{asked.id, asked.addr};
-        board_->clock(asks ? &line : nullptr, place);
+        board_->clock(is_used ? &line : nullptr, place);
     } else if (dram_) {
         catch_up();
-        dram_->clock(asks ? &asked : nullptr);
+        dram_->clock(is_used ? &asked : nullptr);
         sleeping_ = !disturbed_ & !frame_buffer_ & dram_->is_idle() & (written_.empty() || !writes());
     } else {
-        const bool writes = asks && asked.is_write;
+        const bool writes = is_used && asked.is_write;
         if (writes) ideal_.write();
         writes_ += writes;
         ++ideal_outcomes_[std::size_t(ideal_.valid()   ? MemoryOutcome::busy
                                       : ideal_.waits() ? MemoryOutcome::latency
                                                        : MemoryOutcome::starved)];
         const Answer read{asked.id, asked.addr};
-        ideal_.clock(asks && !writes ? &read : nullptr);
+        ideal_.clock(is_used && !writes ? &read : nullptr);
     }
     if (frame_buffer_) frame_buffer_->clock(pixels, user == BusUser::picture, had_room);
     if (disturbed_) disturb();

@@ -128,7 +128,7 @@ private:
     bool is_for_screen() const { return frame_buffer_ && answers() && coming().id >= first_screen_id_; }
     MemoryStats board_totals() const;
     std::uint64_t picture_is_quiet_until() const;
-    enum class BusUser { nobody, chip, picture, host };
+    enum class BusUser { none, chip, picture, host };
     BusUser take_turn(const Answer* request, Dram::Answer& what);
     Answer coming() const {
         if (dram_) return {dram_->answer().id, dram_->answer().addr};

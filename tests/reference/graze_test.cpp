@@ -12,10 +12,10 @@ namespace rayclock::test::graze_test {
 
 namespace {
 
-using Wide = long double;
+using Int128 = long double;
 
 /// Returns the near root of a ray in the x-y plane that passes the centre at distance `aside`.
-Wide near_root(Wide to_middle, Wide aside, Wide radius) {
+Int128 near_root(Int128 to_middle, Int128 aside, Int128 radius) {
     return to_middle - std::sqrt(radius * radius - aside * aside);
 }
 
@@ -30,13 +30,13 @@ TEST_CASE("a moved ray meets a sphere within the bound, however closely it graze
         const double radius = 0.01 + unit(random), to_middle = 0.5 + unit(random),
                      off = std::ldexp(1 + unit(random), -36);
         const double gap = i % 2 ? std::ldexp(radius, -1 - int(40 * unit(random))) : radius * unit(random);
-        const Wide aside = Wide(radius) - Wide(gap);   // of the ray before the move
-        const Wide moved = aside + (i % 4 < 2 ? off : -off);
-        if (moved >= Wide(radius) || aside < 0) continue;
+        const Int128 aside = Int128(radius) - Int128(gap);   // of the ray before the move
+        const Int128 moved = aside + (i % 4 < 2 ? off : -off);
+        if (moved >= Int128(radius) || aside < 0) continue;
         const double bound =
             graze_error({to_middle, double(aside), 0}, {1, 0, 0}, radius, off + std::ldexp(radius, -50));
-        const double moves = double(std::abs(near_root(Wide(to_middle), moved, Wide(radius)) -
-                                             near_root(Wide(to_middle), aside, Wide(radius))));
+        const double moves = double(std::abs(near_root(Int128(to_middle), moved, Int128(radius)) -
+                                             near_root(Int128(to_middle), aside, Int128(radius))));
         INFO("radius " << radius << ", gap " << gap << ", off " << off << ", moves " << moves);
         REQUIRE(moves <= bound);
         if (gap > radius * 0x1p-20) continue;

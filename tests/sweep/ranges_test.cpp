@@ -17,9 +17,9 @@ using namespace rayclock;
 using namespace rayclock::test;
 using fit::Extremes;
 using fit::hull;
+using fit::Int128;
 using fit::Interval;
 using fit::point;
-using fit::Wide;
 
 namespace {
 
@@ -51,7 +51,7 @@ std::map<std::string, Interval> by_name(const std::vector<fit::Signal>& signals)
     return all;
 }
 
-void see(std::map<std::string, Interval>& seen, const std::string& name, Wide value) {
+void see(std::map<std::string, Interval>& seen, const std::string& name, Int128 value) {
     seen[name] = hull(seen[name], point(value));
 }
 
@@ -66,12 +66,12 @@ TEST_CASE("intervals hold what their operands can make, and no more", "[fit]") {
         };
         const Interval a = some(), b = some();
         Interval sum, product, difference, shifted, shifted_up, size;
-        for (Wide x = a.lo; x <= a.hi; ++x) {
-            for (Wide y = b.lo; y <= b.hi; ++y) {
+        for (Int128 x = a.lo; x <= a.hi; ++x) {
+            for (Int128 y = b.lo; y <= b.hi; ++y) {
                 sum = hull(sum, point(x + y)), difference = hull(difference, point(x - y)),
                 product = hull(product, point(x * y));
             }
-            Wide floor = x / 4, ceiling = x / 4;
+            Int128 floor = x / 4, ceiling = x / 4;
             if (floor * 4 > x) --floor;
             if (ceiling * 4 < x) ++ceiling;
             shifted = hull(shifted, point(floor)), shifted_up = hull(shifted_up, point(ceiling)),
@@ -91,7 +91,7 @@ TEST_CASE("intervals hold what their operands can make, and no more", "[fit]") {
         CHECK(fit::signed_bits({b[0], b[1]}) == b[2]);
         CHECK(fit::unsigned_bits({b[0], b[1]}) == b[3]);
     }
-    CHECK(fit::text(-(Wide(1) << 100)) == "-1267650600228229401496703205376");
+    CHECK(fit::text(-(Int128(1) << 100)) == "-1267650600228229401496703205376");
 }
 
 TEST_CASE("every value that the rays of a frame meet lies in its interval", "[fit]") {
@@ -132,7 +132,7 @@ TEST_CASE("reciprocals of an interval are those of its directions", "[fit]") {
         for (std::int32_t x = std::int32_t(d.lo); x <= std::int32_t(d.hi); ++x) {
             const Recip r = reciprocal(x, config);
             auto& [size, aligned, recip] = seen[{x < 0, int(r.len)}];
-            const Wide magnitude = x < 0 ? -x : x;
+            const Int128 magnitude = x < 0 ? -x : x;
             size = hull(size, point(magnitude)),
             aligned = hull(aligned, point(magnitude << (12 - int(r.len)))),
             recip = hull(recip, point(r.recip));
@@ -171,19 +171,20 @@ TEST_CASE("box's intervals are exactly what all rays and planes of a small world
 
         std::map<std::string, Interval> seen;
         for (int d = d0; d <= d1; ++d)
-            for (Wide org = origin.lo; org <= origin.hi; ++org)
-                for (const Wide l : {lo.lo, lo.hi})
-                    for (const Wide h : {hi.lo, hi.hi}) {
+            for (Int128 org = origin.lo; org <= origin.hi; ++org)
+                for (const Int128 l : {lo.lo, lo.hi})
+                    for (const Int128 h : {hi.lo, hi.hi}) {
                         const Recip recip = reciprocal(d, config);
                         const bool neg = d < 0;
-                        const Wide r = recip.recip, up = r + (d != 0), distance = neg ? eye - org : org - eye;
-                        const Wide near = (distance * r) >> exp, far = -((-distance * up) >> exp);
+                        const Int128 r = recip.recip, up = r + (d != 0),
+                                     distance = neg ? eye - org : org - eye;
+                        const Int128 near = (distance * r) >> exp, far = -((-distance * up) >> exp);
                         see(seen, "box.s1_distance", distance);
                         see(seen, "box.s1_near", distance * r);
                         see(seen, "box.s1_far", distance * up);
                         see(seen, "box.s2_near", near);
                         see(seen, "box.s2_far", far);
-                        const Wide near_step = (neg ? h : l) * r, far_step = (neg ? l : h) * up;
+                        const Int128 near_step = (neg ? h : l) * r, far_step = (neg ? l : h) * up;
                         see(seen, "box.step", near_step);
                         see(seen, "box.step", far_step);
                         see(seen, "box.s3_near", neg ? near - near_step : near + near_step);
@@ -224,12 +225,12 @@ TEST_CASE("tri's intervals are exactly what the corners of the box of directions
         const PrimData t = read_triangle(job.image, 2 * read_node(job.image, 0, config).base, config);
         Interval det, u, v, w, p1, p2, num;
         for (int corner = 0; corner < 8; ++corner) {
-            using Vec = std::array<Wide, 3>;
+            using Vec = std::array<Int128, 3>;
             Vec d{}, e1{}, e2{}, s{};
             for (std::size_t k = 0; k < 3; ++k) {
                 d[k] = corner >> k & 1 ? e.direction[k].hi : e.direction[k].lo;
-                e1[k] = Wide(t.b[k]) - t.a[k], e2[k] = Wide(t.c[k]) - t.a[k],
-                s[k] = Wide(job.frame.eye[k]) - t.a[k];
+                e1[k] = Int128(t.b[k]) - t.a[k], e2[k] = Int128(t.c[k]) - t.a[k],
+                s[k] = Int128(job.frame.eye[k]) - t.a[k];
             }
             const auto cross = [](const Vec& a, const Vec& b) {
                 return Vec{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -238,7 +239,7 @@ TEST_CASE("tri's intervals are exactly what the corners of the box of directions
                 return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
             };
             const Vec q1 = cross(d, e1), q2 = cross(d, e2);
-            const Wide a = dot(q2, e1), b = dot(q2, s), c = -dot(q1, s);
+            const Int128 a = dot(q2, e1), b = dot(q2, s), c = -dot(q1, s);
             det = hull(det, point(a)), u = hull(u, point(b)), v = hull(v, point(c)),
             w = hull(w, point(a - b - c)), num = hull(num, point(dot(cross(e1, e2), s)));
             for (std::size_t k = 0; k < 3; ++k) p1 = hull(p1, point(q1[k])), p2 = hull(p2, point(q2[k]));

@@ -22,7 +22,7 @@ std::array<std::int32_t, 3> within(const Vec3l& v) {
 
 /// Returns the sign of n . d, exactly.
 int side_of(const Vec3l& n, const Vec3i& d) {
-    const Wide dot = Wide(n[0]) * d[0] + Wide(n[1]) * d[1] + Wide(n[2]) * d[2];
+    const Int128 dot = Int128(n[0]) * d[0] + Int128(n[1]) * d[1] + Int128(n[2]) * d[2];
     return dot > 0 ? 1 : dot < 0 ? -1 : 0;
 }
 
@@ -42,7 +42,8 @@ std::uint32_t times(std::uint32_t weight, std::int64_t share) {
 std::int64_t refracted_cosine(const ShadeState& state) {
     const std::uint64_t sine2 =
         (std::uint64_t(1) << 2 * unit_bits) - std::uint64_t(state.cosine) * state.cosine;
-    const auto bent = std::uint64_t(Wide(std::uint64_t(state.ratio) * state.ratio) * sine2 >> 2 * index_frac);
+    const auto bent =
+        std::uint64_t(Int128(std::uint64_t(state.ratio) * state.ratio) * sine2 >> 2 * index_frac);
     return (std::int64_t(1) << 2 * unit_bits) - std::int64_t(bent);
 }
 

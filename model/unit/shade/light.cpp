@@ -29,7 +29,7 @@ LightOut light(const Frame& frame, const Config& c, ShadeState& state, const Pla
     const std::int32_t* place = &frame.shade.place[3 * state.light];
     LightOut out;
     Vec3l to{};
-    Wide side = 0;
+    Int128 side = 0;
     for (std::size_t k = 0; k < 3; ++k) to[k] = (std::int64_t(place[k]) << c.origin_bits) - state.o[k];
     const std::array<std::int32_t, 3> unit = unit_vector(to);
     const bool near = frame.shade.near[state.light] != 0;
@@ -41,7 +41,7 @@ LightOut light(const Frame& frame, const Config& c, ShadeState& state, const Pla
         out.home = near && !state.is_far ? home_from({place[0], place[1], place[2]}, state, placement, c)
                                          : home_of(state, out.d, placement, c);
     const Vec3i& way = c.has_homes() ? out.home.d : out.d;
-    for (std::size_t k = 0; k < 3; ++k) side += Wide(state.n[k]) * way[k];
+    for (std::size_t k = 0; k < 3; ++k) side += Int128(state.n[k]) * way[k];
     if (near) side = -side;
     const std::uint32_t cosine = clamped_dot(state.normal, unit);   // N . L
     out.counts = side > 0 && cosine > 0;

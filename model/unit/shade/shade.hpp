@@ -87,18 +87,18 @@ public:
     }
 
     /// The next need of a ray after its answer.
-    enum class Wants : std::uint8_t { nothing, surface, place };
-    /// One clock edge. `closest`, `wants`: the ray whose answer arrived, and its need. `surface`, `place`:
+    enum class Fetch : std::uint8_t { none, surface, instance };
+    /// One clock edge. `closest`, `fetch`: the ray whose answer arrived, and its need. `surface`, `place`:
     /// the rays whose surface and whose instance arrived. The last flags: these outputs were accepted.
     /// `textured`: the ray whose texture colour arrived; `texture_taken`: tex accepted a hit. `turn(ray)`
     /// returns the outcome of a pass.
     template <bool levels = false, bool textures = false, bool few = false, class Decide>
-    void clock(std::uint64_t now, LinkRay closest, Wants wants, LinkRay surface, LinkRay place,
+    void clock(std::uint64_t now, LinkRay closest, Fetch fetch, LinkRay surface, LinkRay place,
                bool surf_taken, bool spawn_taken, bool pixel_taken, LinkRay textured, bool texture_taken,
                Decide&& turn) {
         for (std::size_t i = 0; i < closest_delay_; ++i) {   // the unit sees an arrival in a later cycle
             std::swap(closest, came_[i]);
-            std::swap(wants, came_wants_[i]);
+            std::swap(fetch, arrived_fetches_[i]);
         }
         const bool open = ready(), again = !again_.empty(), arrived = !arrived_.empty(),
                    shown = textures && !textured_.empty();
@@ -136,11 +136,11 @@ public:
         if constexpr (textures) textured_.push(RayNumber(textured.ray), textured.valid);
         if constexpr (levels) {
             fetch_.push<few>(RayNumber(place.ray), place.valid);
-            places_.push<few>(RayNumber(closest.ray), closest.valid & (wants == Wants::place));
+            places_.push<few>(RayNumber(closest.ray), closest.valid & (fetch == Fetch::instance));
         } else {
-            fetch_.push<few>(RayNumber(closest.ray), closest.valid & (wants == Wants::surface));
+            fetch_.push<few>(RayNumber(closest.ray), closest.valid & (fetch == Fetch::surface));
         }
-        arrived_.push<few>(RayNumber(closest.ray), closest.valid & (wants == Wants::nothing));
+        arrived_.push<few>(RayNumber(closest.ray), closest.valid & (fetch == Fetch::none));
     }
 
 private:
@@ -154,7 +154,7 @@ private:
     Merge surf_link_;               // of fetch_ and places_
     std::size_t closest_delay_;     // cycles until an answer is seen
     std::array<LinkRay, 2> came_;   // the answers of these cycles, the last one first
-    std::array<Wants, 2> came_wants_{};
+    std::array<Fetch, 2> arrived_fetches_{};
     std::uint32_t hold_cycles_, hold_left_ = 0;   // cycles after a pass in which it accepts none; cycles left
 };
 

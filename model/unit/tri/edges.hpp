@@ -78,11 +78,11 @@ __extension__ using WideNatural = unsigned __int128;
 struct Product {
     WideNatural high;
     std::uint64_t low;
-    Product(Wide one, Wide other) {
+    Product(Int128 one, Int128 other) {
         assert(one >= 0 && other >= 0 && one >> 96 == 0 && other >> 96 == 0 &&
                "parts of a hit are positive and below 2^96");
-        const auto low_of = [](Wide x) { return std::uint64_t(x); };
-        const auto high_of = [](Wide x) { return std::uint64_t(x >> 64); };
+        const auto low_of = [](Int128 x) { return std::uint64_t(x); };
+        const auto high_of = [](Int128 x) { return std::uint64_t(x >> 64); };
         const WideNatural bottom = WideNatural(low_of(one)) * low_of(other);
         low = std::uint64_t(bottom);
         high = (bottom >> 64) + WideNatural(low_of(one)) * high_of(other) +
@@ -95,10 +95,10 @@ struct Product {
 template <class Best>
 bool goes_before(std::int64_t num, std::int64_t det, std::uint32_t prim, const Best& best) {
     if (!best.found) return true;
-    const Wide mine = Wide(num) * best.det, theirs = Wide(best.num) * det;
+    const Int128 mine = Int128(num) * best.det, theirs = Int128(best.num) * det;
     return mine < theirs || (mine == theirs && prim <= best.prim);
 }
-template <class Best> bool goes_before(Wide num, Wide det, std::uint32_t prim, const Best& best) {
+template <class Best> bool goes_before(Int128 num, Int128 det, std::uint32_t prim, const Best& best) {
     if (!best.found) return true;
     const Product mine{num, best.det}, theirs{best.num, det};
     return mine < theirs || (!(theirs < mine) && prim <= best.prim);

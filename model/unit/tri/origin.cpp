@@ -12,11 +12,11 @@ namespace rayclock {
 namespace {
 
 Vec3l normal(const PrimData& t) { return cross(minus(t.b, t.a), minus(t.c, t.a)); }
-int sign(Wide value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
+int sign(Int128 value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
 /// Returns tri_test's decision for s in units of 2^-one_bits.
 std::optional<OriginHit> hit_of(const Vec3l& s, const Vec3l& d, const PrimData& triangle, int one_bits) {
-    Edges<Wide> e;
+    Edges<Int128> e;
     bool flip = false;
     if (!meet(s, d, triangle, one_bits, true, e, flip)) return std::nullopt;
     return OriginHit{e.num, e.det >> one_bits};
@@ -51,10 +51,10 @@ SurfacePoint surface_point(const PrimData& triangle, const Weights& weights, int
 }
 
 int side_of_direction(const PrimData& triangle, const Vec3i& d) {
-    return sign(dot<Wide>(normal(triangle), {d[0], d[1], d[2]}));
+    return sign(dot<Int128>(normal(triangle), {d[0], d[1], d[2]}));
 }
 int side_of_point(const PrimData& triangle, const Vec3i& point) {
-    return sign(dot<Wide>(normal(triangle), minus(point, triangle.a)));
+    return sign(dot<Int128>(normal(triangle), minus(point, triangle.a)));
 }
 
 Vec3i leaving_direction(const Vec3l& way, const PrimData& triangle, int facing, int dir_bits) {

@@ -72,7 +72,7 @@ Vec3i leaving_direction(const Vec3l& way, const PrimData& triangle, int facing, 
 /// The crossing of a ray and a triangle at origin + t d, t = num / det, both positive. For a ray from O, t is
 /// in units of 2^-B.
 struct OriginHit {
-    Wide num = 0, det = 0;
+    Int128 num = 0, det = 0;
 };
 /// Tests a ray from O with tri_test's decisions. u, v, w and num have B bits more; ties follow the same rule.
 std::optional<OriginHit> bounce_test(const SurfacePoint& o, const Vec3i& d, const PrimData& triangle);

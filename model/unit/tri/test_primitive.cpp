@@ -23,22 +23,22 @@ Vec3l offset(const Vec3i& o, const Vec3i& a, int frac, int drop) {
 
 /// Returns min(ceil(num 2^shift / det), largest distance), for num, det > 0 and num 2^shift < 2^127. `shift`
 /// may be negative.
-std::uint32_t distance_of(Wide num, int shift, Wide det, const Config& config) {
+std::uint32_t distance_of(Int128 num, int shift, Int128 det, const Config& config) {
     if (shift < 0)
         det <<= -shift;
     else
         num <<= shift;
-    const Wide beyond = (Wide(1) << config.t_bits()) - 1;
+    const Int128 beyond = (Int128(1) << config.t_bits()) - 1;
     if (num > beyond * det) return std::uint32_t(beyond);
     return std::uint32_t((num + det - 1) / det);
 }
 
 /// Returns floor(2^bary_bits edge / det) for 0 <= edge <= det. For a plane any edge is allowed, and the
 /// result saturates to uv_bits in two's complement.
-std::uint32_t coordinate(Wide edge, Wide det, const Config& config) {
-    const Wide most = (Wide(1) << (config.uv_bits() - 1)) - 1, unit = Wide(1) << config.bary_bits;
-    const Wide scaled = edge * unit;
-    Wide whole = scaled / det;
+std::uint32_t coordinate(Int128 edge, Int128 det, const Config& config) {
+    const Int128 most = (Int128(1) << (config.uv_bits() - 1)) - 1, unit = Int128(1) << config.bary_bits;
+    const Int128 scaled = edge * unit;
+    Int128 whole = scaled / det;
     if (scaled < 0 && whole * det != scaled) --whole;
     if (config.planes) whole = std::clamp(whole, -most - 1, most);
     return std::uint32_t(std::uint64_t(whole) & ((std::uint64_t(1) << config.uv_bits()) - 1));
@@ -61,7 +61,7 @@ void flat_test(const Ray& ray, const PrimData& prim, const Best& best, const Con
     const int frac = config.origin_frac() - (is_far(ray) ? far_drop : 0),
               scale = leaves_surface(ray, config) ? frac : 0;
     const bool edges_count = prim.kind != PrimKind::plane;
-    Edges<Wide> e;
+    Edges<Int128> e;
     bool flip = false;
     if (!meet(offset(ray.o, prim.a, frac, scale), {ray.d[0], ray.d[1], ray.d[2]}, prim, scale, edges_count, e,
               flip))
@@ -69,7 +69,7 @@ void flat_test(const Ray& ray, const PrimData& prim, const Best& best, const Con
     assert(e.num >> (config.num_bits() - 1) == 0 && e.det >> (config.edge_bits() - 1) == 0 &&
            "num and det fit their widths");
     if (ends_at_any(ray.kind)) {
-        const bool is_in_way = !shadow || e.num * (Wide(1) << frac) < e.det;
+        const bool is_in_way = !shadow || e.num * (Int128(1) << frac) < e.det;
         out.cutout = is_in_way && prim.kind == PrimKind::cutout;
         if (!out.cutout) {
             out.closer = is_in_way;
@@ -87,17 +87,17 @@ void flat_test(const Ray& ray, const PrimData& prim, const Best& best, const Con
 /// A ray and a sphere: d.s, d.d, s.s less the squared radius, and the discriminant. s has `scale` fraction
 /// bits.
 struct Meeting {
-    Wide along, square, power, disc;
+    Int128 along, square, power, disc;
 };
 Meeting meeting(const Ray& ray, const PrimData& sphere, int scale, const Config& config) {
     const int n = config.coord_bits;
     const Vec3l d{ray.d[0], ray.d[1], ray.d[2]}, s = offset(ray.o, sphere.a, config.origin_frac(), scale);
     Meeting m;
-    m.along = dot<Wide>(d, s);
-    m.square = dot<Wide>(d, d);
-    m.power = dot<Wide>(s, s) - (Wide(radius_squared(sphere, n)) << (2 * scale));
+    m.along = dot<Int128>(d, s);
+    m.square = dot<Int128>(d, d);
+    m.power = dot<Int128>(s, s) - (Int128(radius_squared(sphere, n)) << (2 * scale));
     m.disc = m.along * m.along - m.square * m.power;
-    [[maybe_unused]] const auto fits = [](Wide x, int bits) { return x >> (bits - 1) == (x < 0 ? -1 : 0); };
+    [[maybe_unused]] const auto fits = [](Int128 x, int bits) { return x >> (bits - 1) == (x < 0 ? -1 : 0); };
     [[maybe_unused]] const SphereWidths w = sphere_widths(n, config.dir_bits, config.origin_frac());
     assert(fits(m.along, w.along) && m.square >> w.square == 0 && fits(m.power, w.power) &&
            fits(m.disc, w.disc) && "see SphereWidths");
@@ -111,9 +111,9 @@ bool shades(const Ray& ray, const PrimData& sphere, const Config& config) {
     const bool seen_inside = is_seen_inside(sphere);
     if (config.has_self() && sphere.prim == ray.self)
         return seen_inside && ray.is_inside != 0 && from_outside;
-    const Wide unit = Wide(1) << config.origin_frac();
+    const Int128 unit = Int128(1) << config.origin_frac();
     // |O - c|^2 minus the squared radius.
-    const Wide end = m.square + 2 * m.along * unit + m.power * unit * unit;
+    const Int128 end = m.square + 2 * m.along * unit + m.power * unit * unit;
     if (!seen_inside && end <= 0) return false;   // the point is inside and sees out
     if (from_outside) return m.along < 0 && m.disc >= 0 && (end < 0 || -m.along * unit < m.square);
     return end > 0 && (m.power < 0 || m.along < 0);
@@ -140,13 +140,13 @@ void sphere_test(const Ray& ray, const PrimData& sphere, const Best& best, const
     }
 
     const Root r = root(WideNatural(m.disc));
-    const Wide way = -m.along + (far ? Wide(r.whole + r.rest) << r.shift : -(Wide(r.whole) << r.shift));
+    const Int128 way = -m.along + (far ? Int128(r.whole + r.rest) << r.shift : -(Int128(r.whole) << r.shift));
     assert(way > 0 && way >> sphere_widths(config.coord_bits, config.dir_bits, scale).num == 0 &&
            "never below the true distance, see SphereWidths");
     const int units = config.dir_bits - 1 + config.t_frac_bits;
     const std::uint32_t t = distance_of(way, units - scale, m.square, config);
-    const Wide det = Wide(1) << units;
-    if (!goes_before(Wide(t), det, sphere.prim, best)) return;
+    const Int128 det = Int128(1) << units;
+    if (!goes_before(Int128(t), det, sphere.prim, best)) return;
     out.closer = 1;
     out.back = far;
     out.num = t;

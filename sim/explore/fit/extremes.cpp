@@ -11,15 +11,15 @@ namespace rayclock::fit {
 
 namespace {
 
-using Vec = std::array<Wide, 3>;
+using Vec = std::array<Int128, 3>;
 
 Vec minus(const Vec3i& a, const Vec3i& b) {
-    return {Wide(a[0]) - b[0], Wide(a[1]) - b[1], Wide(a[2]) - b[2]};
+    return {Int128(a[0]) - b[0], Int128(a[1]) - b[1], Int128(a[2]) - b[2]};
 }
 Vec cross(const Vec& a, const Vec& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-void add(Interval& range, Wide value) { range = hull(range, point(value)); }
+void add(Interval& range, Int128 value) { range = hull(range, point(value)); }
 void add(Interval& range, const Interval& more) { range = hull(range, more); }
 
 /// Returns the range of d . a over all directions.
@@ -53,7 +53,7 @@ void measure_directions(const Frame& f, const Config& config, Extremes& e) {
 }
 
 void measure_frame(const Frame& f, const Config& config, Extremes& e) {
-    const Interval x{0, Wide(f.width) - 1}, y{0, Wide(f.height) - 1};
+    const Interval x{0, Int128(f.width) - 1}, y{0, Int128(f.height) - 1};
     for (std::size_t k = 0; k < 3; ++k) {
         e.eye[k] = point(f.eye[k]);
         e.corner[k] = point(f.corner[k]), e.right[k] = point(f.right[k]), e.down[k] = point(f.down[k]);
@@ -93,7 +93,7 @@ void measure_triangle(const PrimData& t, const Vec3i& eye, Extremes& e) {
 }
 
 void measure_node(const Node& node, const Config& config, Extremes& e) {
-    Wide inner = 0, leaves = 0, triangles = 0;
+    Int128 inner = 0, leaves = 0, triangles = 0;
     add(e.base, node.base);
     for (std::size_t i = 0; i < std::size_t(config.node_width); ++i) {
         add(e.kind, node.kind[i]);
@@ -107,14 +107,14 @@ void measure_node(const Node& node, const Config& config, Extremes& e) {
             add(group.hi, node.hi[3 * i + k]);
         }
         if (node.kind[i] == 1) {
-            add(e.offset, Wide(2 * i));
-            add(e.slot, Wide(i));
-            add(e.node, Wide(node.base) + Wide(i));
+            add(e.offset, Int128(2 * i));
+            add(e.slot, Int128(i));
+            add(e.node, Int128(node.base) + Int128(i));
         } else {
             ++leaves;
             add(e.offset, 2 * inner + triangles);
             for (std::uint32_t n = 0; n + 1 < node.kind[i]; ++n)
-                add(e.half_line, 2 * (Wide(node.base) + inner) + triangles++);
+                add(e.half_line, 2 * (Int128(node.base) + inner) + triangles++);
         }
     }
     add(e.inner, Interval{0, inner});

@@ -27,8 +27,8 @@ const char* verdict(const Signal& s) {
 }
 
 /// Writes long numbers as a power of two. The JSON has their decimal digits.
-std::string shorter(Wide value) {
-    const Wide size = value < 0 ? -value : value;
+std::string shorter(Int128 value) {
+    const Int128 size = value < 0 ? -value : value;
     if (size < 10'000'000) return text(value);
     const double power = std::log2(double(size));
     return fmt::format("{}2^{:.2f}", value < 0 ? "-" : "", power);

@@ -6,7 +6,7 @@ namespace rayclock::fit {
 namespace {
 
 /// Bits of a number that is not negative.
-int length(Wide value) {
+int length(Int128 value) {
     int bits = 0;
     for (; value > 0; value >>= 1) ++bits;
     return bits;
@@ -18,14 +18,14 @@ int unsigned_bits(const Interval& a) { return a.empty() ? 1 : std::max(1, length
 
 int signed_bits(const Interval& a) {
     if (a.empty()) return 1;
-    const auto of = [](Wide value) { return 1 + length(value < 0 ? -(value + 1) : value); };
+    const auto of = [](Int128 value) { return 1 + length(value < 0 ? -(value + 1) : value); };
     return std::max(of(a.lo), of(a.hi));
 }
 
-std::string text(Wide value) {
+std::string text(Int128 value) {
     if (value == 0) return "0";
     std::string digits;
-    for (Wide rest = value; rest != 0; rest /= 10)
+    for (Int128 rest = value; rest != 0; rest /= 10)
         digits.insert(digits.begin(), char('0' + int(rest < 0 ? -(rest % 10) : rest % 10)));
     return value < 0 ? "-" + digits : digits;
 }

@@ -25,10 +25,10 @@ std::vector<RecipClass> recip_classes(const Interval& direction, const Config& c
     for (const bool negative : {false, true}) {
         const Interval size = negative ? -direction : direction;
         for (int len = 1; len <= m; ++len) {
-            const Interval part = meet(size, {Wide(1) << (len - 1), (Wide(1) << len) - 1});
+            const Interval part = meet(size, {Int128(1) << (len - 1), (Int128(1) << len) - 1});
             if (part.empty()) continue;
             const Interval aligned = left(part, m - len);
-            const Wide power = Wide(1) << (m + config.recip_bits - 1);
+            const Int128 power = Int128(1) << (m + config.recip_bits - 1);
             classes.push_back({negative, len, part, aligned, {power / aligned.hi, power / aligned.lo}});
         }
     }
@@ -44,8 +44,8 @@ void raygen_ranges(const Extremes& e, const Frame& frame, const Config& c, std::
     const int g = c.guard_dir_bits();
     add("frame.width", point(frame.width), false, c.pixel_bits + 1);
     add("frame.height", point(frame.height), false, c.pixel_bits + 1);
-    add("x", {0, Wide(frame.width) - 1}, false, c.pixel_bits);
-    add("y", {0, Wide(frame.height) - 1}, false, c.pixel_bits);
+    add("x", {0, Int128(frame.width) - 1}, false, c.pixel_bits);
+    add("y", {0, Int128(frame.height) - 1}, false, c.pixel_bits);
     add("eye", all(e.eye), true, c.coord_bits);
     add("corner", all(e.corner), true, g);
     add("right", all(e.right), true, g);

@@ -38,7 +38,7 @@ void slab(const Extremes::Group& node, int exp, const Interval& eye, const Recip
     add(all.left, point(to_left));
     add(all.right, point(to_right));
     // A value below zero is not moved: near is zero then, and far a miss.
-    const Interval round_up = point((Wide(1) << to_right) - 1), far_up = not_negative(far_sum) + round_up;
+    const Interval round_up = point((Int128(1) << to_right) - 1), far_up = not_negative(far_sum) + round_up;
     add(all.up, round_up);
     add(all.far_up, far_up);
     const Interval near_down = right(not_negative(near_sum), to_right), far_down = right(far_up, to_right);

@@ -12,7 +12,7 @@ Interval all(const Extremes::Axes& axes) { return hull(hull(axes[0], axes[1]), a
 /// larger than that of a vertex, and d's largest component takes it there: t |d| / 2^(M-1+F) <= reach,
 /// rounded up.
 Interval hit_distance(const Extremes& e, const Config& c) {
-    const Wide least = std::max(Wide(1), Wide(e.least_direction));
+    const Int128 least = std::max(Int128(1), Int128(e.least_direction));
     return {1, ((e.reach.hi << (c.dir_bits - 1 + c.t_frac_bits)) + least - 1) / least};
 }
 
@@ -39,8 +39,8 @@ void tri_ranges(const Extremes& e, const Config& c, std::vector<Signal>& out) {
     add("s3_w", hull(e.w, e.w - point(1)), true, edge);   // one less if a zero counts as negative
     add("s3_num", e.num, true, num);
     // Turned so that det > 0, of hits.
-    const Interval size{1, std::max(Wide(1), magnitude(e.det).hi)},
-        far{1, std::max(Wide(1), magnitude(e.num).hi)};
+    const Interval size{1, std::max(Int128(1), magnitude(e.det).hi)},
+        far{1, std::max(Int128(1), magnitude(e.num).hi)};
     add("s4_det", magnitude(e.det), true, edge);
     add("s4_num", hull(e.num, -e.num), true, num);
     add("f1_mine, f1_theirs", far * size, false, num + edge);
@@ -48,7 +48,7 @@ void tri_ranges(const Extremes& e, const Config& c, std::vector<Signal>& out) {
     add("num_wide", left(far, lift), false, std::max(num + lift, edge) + 1);
     const Interval t = hit_distance(e, c);
     add("t", t, false, c.t_bits(), Excess::saturates);
-    add("u, v", {0, Wide(1) << c.bary_bits}, false, c.bary_bits + 1);
+    add("u, v", {0, Int128(1) << c.bary_bits}, false, c.bary_bits + 1);
     add("prim", e.prim, false, c.prim_bits);
 }
 
@@ -56,7 +56,7 @@ void walk_ranges(const Extremes& e, const CompileReport& report, const Config& c
     const auto add = [&](const char* unit, const char* name, const Interval& range, int there) {
         out.push_back({unit, name, range, false, there, Excess::never});
     };
-    const Interval t{0, (Wide(1) << c.t_bits()) - 1};   // all ones: nothing is hit yet
+    const Interval t{0, (Int128(1) << c.t_bits()) - 1};   // all ones: nothing is hit yet
     add("list", "base", e.base, c.addr_bits);
     add("list", "inner", e.inner, c.group_bits());
     add("list", "leaves", e.leaves, c.group_bits());
@@ -67,8 +67,8 @@ void walk_ranges(const Extremes& e, const CompileReport& report, const Config& c
     add("trav", "node addr", e.node, c.addr_bits);
     add("trav", "slot", hull(point(0), e.slot), c.slot_bits());
     add("trav", "height", {0, report.stack_need}, c.stack_bits());
-    add("trav", "ray", {0, Wide(c.contexts) - 1}, c.ray_bits());
-    add("mem", "addr", {0, Wide(report.bytes / line_bytes) - 1}, c.addr_bits);
+    add("trav", "ray", {0, Int128(c.contexts) - 1}, c.ray_bits());
+    add("mem", "addr", {0, Int128(report.bytes / line_bytes) - 1}, c.addr_bits);
 }
 
 }   // namespace rayclock::fit

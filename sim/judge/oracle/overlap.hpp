@@ -14,8 +14,8 @@ struct Fraction {
 };
 /// Compares exactly: the products have at most 126 bits.
 inline bool less(const Fraction& a, const Fraction& b) {
-    __extension__ using Wide = __int128;
-    return Wide(a.num) * b.den < Wide(b.num) * a.den;
+    __extension__ using Int128 = __int128;
+    return Int128(a.num) * b.den < Int128(b.num) * a.den;
 }
 
 using LatticeVec = std::array<std::int64_t, 3>;

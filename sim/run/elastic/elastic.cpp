@@ -80,8 +80,8 @@ private:
         Script script(frame.frame);
         run_model_frame(f, script, progress);
         run_rtl_frame(f, std::move(script), progress);
-        if (!findings_.first || told_) return;
-        told_ = true;
+        if (!findings_.first || reported_) return;
+        reported_ = true;
         findings_.first->frame = f, findings_.first->frame_begins = begins_;
     }
 
@@ -121,7 +121,7 @@ private:
         const MemoryStats memory = rtl_.memory().stats();
         FrameCollector hits(frame.frame, job_.config.has_shade());
         lines_.start(image_, upload.reset > 0);
-        face_told_ = false;
+        host_signals_reported_ = false;
         bool hangs = false;
         guarded([&] {
             rtl_.start(frame.frame);
@@ -156,7 +156,7 @@ private:
             const std::uint64_t now = rtl_.cycle();
             rtl_.settle();
             judge(now);
-            check_face(now, true);
+            check_host_signals(now, true);
             if (findings_.first && give_up == 0) give_up = now + 4 * result_.model.cycles + limit_;
             if (now - rays_.moved_at() > limit_ || (give_up > 0 && now > give_up)) return false;
             rtl_.clock([&](const HitOut& hit) { hits.add(hit); });
@@ -183,10 +183,10 @@ private:
 
     /// Checks the chip's signals `running` and `done`, after RtlMachine::settle(). Reports at most one
     /// difference in each frame.
-    void check_face(std::uint64_t now, bool runs) {
-        if (face_told_ || (rtl_.says_running() == runs && rtl_.says_done() == !runs)) return;
-        face_told_ = true;
-        const bool is_done = rtl_.says_running() == runs;   // the signal that differs
+    void check_host_signals(std::uint64_t now, bool runs) {
+        if (host_signals_reported_ || (rtl_.running() == runs && rtl_.done_signal() == !runs)) return;
+        host_signals_reported_ = true;
+        const bool is_done = rtl_.running() == runs;   // the signal that differs
         const char* const texts[2][2] = {{"the frame does not run", "the frame runs"},
                                          {"the frame is done", "the frame is not done"}};
         findings_.add([&] {
@@ -228,7 +228,7 @@ private:
         }
         if (hangs) return;
         rtl_.settle();
-        check_face(now, false);
+        check_host_signals(now, false);
     }
 
     void report_invalid_value() {
@@ -268,9 +268,9 @@ private:
     LineJudge lines_;
     SteadyOffers offers_;
     std::uint64_t begins_ = 0;
-    bool broken_ = false, told_ = false;   // broken_: the RTL cannot run another frame
-    bool face_told_ = false;               // a wrong signal was reported in this frame
-    bool has_begun_ = false;               // the first frame
+    bool broken_ = false, reported_ = false;   // broken_: the RTL cannot run another frame
+    bool host_signals_reported_ = false;       // a wrong signal was reported in this frame
+    bool has_begun_ = false;                   // the first frame
     ElasticResult result_;
 };
 

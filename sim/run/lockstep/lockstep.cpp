@@ -67,30 +67,30 @@ public:
         const Stopwatch watch;
         for (std::size_t f = 0; f < frames_.size(); ++f) {
             frame_ = f;
-            bring_frame(f);
+            upload_frame(f);
             begins_ = model_.cycle();
             run_frame(frames_[f], progress);
             report_first();
-            if (parted_ || interrupted()) break;
+            if (diverged_ || interrupted()) break;
         }
         for (FrameResult* run : {&result_.model, &result_.rtl})
-            run->seconds = watch.seconds() - told_seconds_;
+            run->seconds = watch.seconds() - report_seconds_;
         return std::move(result_);
     }
 
 private:
     /// Reports the first divergence once, with its frame.
     void report_first() {
-        if (told_ || !result_.first) return;
-        told_ = true;
+        if (reported_ || !result_.first) return;
+        reported_ = true;
         result_.first->frame = frame_, result_.first->frame_begins = begins_;
         const Stopwatch watch;
         if (on_first_) on_first_(*result_.first);
-        told_seconds_ = watch.seconds();
+        report_seconds_ = watch.seconds();
     }
 
     /// Performs the host's writes before a frame on both machines.
-    void bring_frame(std::size_t f) {
+    void upload_frame(std::size_t f) {
         const Upload& upload = frames_[f].upload;
         if (upload.image_lines > 0) {
             apply(upload, image_);
@@ -114,7 +114,7 @@ private:
         rtl_.start(frame.frame);
         payloads_->start(frame.frame);
         stopped_.reset();
-        while (!parted_ && !(model_.done() && rtl_.done()) && !interrupted()) {
+        while (!diverged_ && !(model_.done() && rtl_.done()) && !interrupted()) {
             cycle(hits);
             report_first();
             if (model_.quiet() > limit)
@@ -122,7 +122,7 @@ private:
                                                      model_.cycle(), describe_stuck_rays(model_)));
             if (progress && model_.cycle() % (1 << 14) == 0) progress("model and rtl", model_.hits(), pixels);
         }
-        if (parted_)
+        if (diverged_)
             run_apart(limit, hits);
         else if (!interrupted())
             check_end();
@@ -130,12 +130,14 @@ private:
         if (progress) progress("model and rtl", pixels, pixels);
         result_.model = run_of(frame, model_.cycle() - first, model_.hits(), model_.accounts() - accounts,
                                model_.memory().stats() - memory, frame.trace.hits, frame.trace.colours);
-        result_.rtl = run_of(frame, rtl_.cycle() - first, rtl_.hits(), parted_ ? Accounts{} : rtl_.accounts(),
-                             rtl_.memory().stats() - memory, hits.hits(), hits.colours());
+        result_.rtl =
+            run_of(frame, rtl_.cycle() - first, rtl_.hits(), diverged_ ? Accounts{} : rtl_.accounts(),
+                   rtl_.memory().stats() - memory, hits.hits(), hits.colours());
         result_.cycle_gap +=
             model_.cycle() > rtl_.cycle() ? model_.cycle() - rtl_.cycle() : rtl_.cycle() - model_.cycle();
-        if (stopped_ && !parted_) result_.cycle_gap += std::max<std::uint64_t>(1, model_.cycle() - *stopped_);
-        if (parted_ && result_.cycle_gap == 0) result_.cycle_gap = 1;
+        if (stopped_ && !diverged_)
+            result_.cycle_gap += std::max<std::uint64_t>(1, model_.cycle() - *stopped_);
+        if (diverged_ && result_.cycle_gap == 0) result_.cycle_gap = 1;
         if (!result_.model.partial)
             for (std::size_t i = 0; i < result_.model.answers.size(); ++i)
                 result_.value_mismatches +=
@@ -147,7 +149,7 @@ private:
     }
 
     void compare_counters() {
-        result_.counters_compared = !parted_ && !stopped_;
+        result_.counters_compared = !diverged_ && !stopped_;
         if (!result_.counters_compared) return;   // the RTL counts only while its frame runs
         auto difference = first_difference(result_.model.accounts, result_.rtl.accounts);
         if (!difference && rtl_.counted_cycles() != result_.model.cycles)
@@ -171,50 +173,50 @@ private:
 
     /// Records a failed assertion. The RTL does not run on after it.
     void report_assertion(const RtlAssertion& assertion) {
-        parted_ = broken_ = true;
+        diverged_ = broken_ = true;
         watched_.reset();
         if (result_.first) return;
         result_.first = {rtl_.cycle(), "rtl", "none", 0, 0, 0, "no assertion fails", assertion.what(), ""};
     }
 
     /// Compares the chip's signals to the host: `running` and `done`.
-    void check_face(std::uint64_t now, bool runs) {
+    void check_host_signals(std::uint64_t now, bool runs) {
         const auto check_signal = [&](const char* signal, bool wanted, const char* yes, const char* no) {
             if (result_.first) return;
             result_.first = {now, "host", signal, 0, 0, 0, wanted ? yes : no, wanted ? no : yes, ""};
         };
-        if (rtl_.says_running() != runs) {
+        if (rtl_.running() != runs) {
             check_signal("running", runs, "the frame runs", "the frame does not run");
             if (!stopped_) stopped_ = now;
         }
-        if (rtl_.says_done() == runs)
+        if (rtl_.done_signal() == runs)
             check_signal("done", !runs, "the frame is done", "the frame is not done");
     }
 
     /// Checks the cycle after the frame's last one.
     void check_end() {
         rtl_.settle();
-        check_face(model_.cycle(), false);
+        check_host_signals(model_.cycle(), false);
     }
 
     void cycle(FrameCollector& hits) {
         rtl_.settle();
         unmatched_.clear();
         const std::uint64_t now = model_.cycle();
-        check_face(now, true);
+        check_host_signals(now, true);
         model_.step([&](const Move& move) {
             last_ray_[index(move.link)] = move.id;
             (*payloads_)(
                 move, [&](int pipeline, Link c, const auto& payload) { compare(now, pipeline, c, payload); });
         });
-        for (int p = 0; p < job_.config.pipelines && !parted_; ++p)
+        for (int p = 0; p < job_.config.pipelines && !diverged_; ++p)
             if (const LinkMask differ =
                     (model_.valid_mask(p) ^ rtl_.valid_mask(p)) | (model_.fire_mask(p) ^ rtl_.fire_mask(p)))
                 part(now, p, differ, {model_.valid_mask(p), model_.fire_mask(p)},
                      {rtl_.valid_mask(p), rtl_.fire_mask(p)});
         if (const LinkMask differ =
                 (model_.shared_valid() ^ rtl_.shared_valid()) | (model_.shared_fire() ^ rtl_.shared_fire());
-            differ && !parted_)
+            differ && !diverged_)
             part(now, 0, differ, {model_.shared_valid(), model_.shared_fire()},
                  {rtl_.shared_valid(), rtl_.shared_fire()});
         try {
@@ -250,7 +252,7 @@ private:
     /// Records that the machines no longer move in step: one offers or accepts a transfer that the other does
     /// not.
     void part(std::uint64_t now, int pipeline, LinkMask differ, Masks model, Masks rtl) {
-        parted_ = true;
+        diverged_ = true;
         if (result_.first) return;
         // Prefer a link whose valid signal differs: valid comes from registers, but ready may depend on
         // another link's valid in the same cycle.
@@ -370,7 +372,7 @@ private:
     FrameResult run_of(const RecordedFrame& frame, std::uint64_t cycles, std::uint64_t pixels,
                        const Accounts& accounts, const MemoryStats& memory, const std::vector<Closest>& hits,
                        const Colours& colours) const {
-        const bool partial = pixels < frame.trace.rays.size() && !parted_;
+        const bool partial = pixels < frame.trace.rays.size() && !diverged_;
         const RayWork work{frame.trace.counts, frame.trace.visits, frame.trace.box_tests,
                            frame.trace.triangle_tests};
         return frame_result(job_, frame.frame, {cycles, pixels, accounts, memory, 0, partial, upload_}, work,
@@ -381,9 +383,9 @@ private:
     const std::vector<RecordedFrame>& frames_;
     Traffic traffic_;
     const OnFirst& on_first_;
-    bool told_ = false;
-    double told_seconds_ = 0;   // spent in on_first_, on the host
-    std::size_t frame_ = 0;     // the current frame, and the cycle in which it begins
+    bool reported_ = false;
+    double report_seconds_ = 0;   // spent in on_first_, on the host
+    std::size_t frame_ = 0;       // the current frame, and the cycle in which it begins
     std::uint64_t begins_ = 0;
     Machine model_;
     RtlMachine rtl_;
@@ -392,7 +394,7 @@ private:
     UploadTiming upload_;                                // before the frame
     std::array<std::uint32_t, link_count> last_ray_{};   // of the model's last transfer on each link
     Words words_;
-    bool parted_ = false, broken_ = false;
+    bool diverged_ = false, broken_ = false;
     // The first cycle in which the RTL's `running` differs from the model's.
     std::optional<std::uint64_t> stopped_;
     struct Unmatched {

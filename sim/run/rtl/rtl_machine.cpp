@@ -65,8 +65,8 @@ bool is_set(const RcPort& port) {
 }
 }   // namespace
 
-bool RtlMachine::says_running() const { return is_set(*running_); }
-bool RtlMachine::says_done() const { return is_set(*done_) || (kept_done_ && now_ == started_); }
+bool RtlMachine::running() const { return is_set(*running_); }
+bool RtlMachine::done_signal() const { return is_set(*done_) || (kept_done_ && now_ == started_); }
 
 /// Performs a classic Wishbone cycle. Returns false if it ends with err or does not end.
 bool RtlMachine::access(bool writes, std::uint32_t address, std::uint32_t value) {

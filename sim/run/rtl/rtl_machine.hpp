@@ -67,8 +67,8 @@ public:
 
     bool done() const { return hits_ >= pixels_; }
     /// Return the chip's own signals about the frame, after settle().
-    bool says_running() const;
-    bool says_done() const;   ///< in the first cycle also true if it was set since the frame was requested
+    bool running() const;
+    bool done_signal() const;   ///< in the first cycle also true if it was set since the frame was requested
     std::uint64_t cycle() const { return now_; }
     std::uint64_t hits() const { return hits_; }
     LinkMask valid_mask(int pipeline) const { return valid_[std::size_t(pipeline)]; }

@@ -66,7 +66,7 @@ public:
 
     Result run() {
         Result result{request_, {}, {}, {}, true};
-        find_face();
+        find_ports();
         const auto units = known_units();
         result.units = units ? *units : synthesize();
         result.was_kept = units.has_value();
@@ -92,7 +92,7 @@ public:
     /// Returns the result if all of it is kept; nothing if anything is missing.
     std::optional<Result> kept() {
         Result result{request_, {}, {}, {}, true};
-        find_face();
+        find_ports();
         const auto units = known_units();
         if (!units) return std::nullopt;
         result.units = *units;
@@ -113,7 +113,7 @@ private:
 
     /// Finds the ports and modules. They give the key of all later steps: the package, the sources of these
     /// modules only, and the synthesis script.
-    void find_face() {
+    void find_ports() {
         if (request_.is_board()) {
             find_board();
             return;

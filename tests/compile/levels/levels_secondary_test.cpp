@@ -145,7 +145,7 @@ private:
 };
 
 int side_of(const Vec3l& n, const Vec3i& d) {
-    const Wide dot = Wide(n[0]) * d[0] + Wide(n[1]) * d[1] + Wide(n[2]) * d[2];
+    const Int128 dot = Int128(n[0]) * d[0] + Int128(n[1]) * d[1] + Int128(n[2]) * d[2];
     return dot > 0 ? 1 : dot < 0 ? -1 : 0;
 }
 

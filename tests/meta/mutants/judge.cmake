@@ -69,8 +69,8 @@ mutant(judge_lights_share_a_colour FILE model/compile/surfaces.cpp TEST simulate
 # ---- Rays and primitives: model/unit/tri/test_primitive.cpp.
 mutant(judge_far_half_of_shadow_rays_is_free FILE model/unit/tri/test_primitive.cpp TEST simulate
   "cornell --depth 1"
-  OLD [[e.num * (Wide(1) << frac) < e.det;]]
-  NEW [[e.num * (Wide(1) << frac) * 2 < e.det;]])
+  OLD [[e.num * (Int128(1) << frac) < e.det;]]
+  NEW [[e.num * (Int128(1) << frac) * 2 < e.det;]])
 mutant(judge_plane_rounded_to_zero FILE model/unit/tri/test_primitive.cpp TEST simulate "spheres --depth 1"
   OLD [[if (scaled < 0 && whole * det != scaled) --whole;]]
   NEW [[;]])

@@ -116,16 +116,16 @@ mutant(model_origin_boxes_inward FILE model/unit/tri/origin.cpp TEST unit [origi
 
 # ---- Any ray against any primitive: the last bit of a root, and exact contact.
 mutant(model_any_end_of_the_way_blocks FILE model/unit/tri/test_primitive.cpp TEST unit [any]~[tri]
-  OLD [[e.num * (Wide(1) << frac) < e.det;]]
-  NEW [[e.num * (Wide(1) << frac) <= e.det;]])
+  OLD [[e.num * (Int128(1) << frac) < e.det;]]
+  NEW [[e.num * (Int128(1) << frac) <= e.det;]])
 mutant(model_sphere_touch_is_no_hit QUICK FILE model/unit/tri/test_primitive.cpp TEST unit
   "tri is right for every camera ray and sphere*"
   OLD [[m.along >= 0 || m.disc < 0 : m.power < 0]]
   NEW [[m.along >= 0 || m.disc <= 0 : m.power < 0]])
 mutant(model_sphere_far_root_rounded_down FILE model/unit/tri/test_primitive.cpp TEST unit
   "tri of a chip that shades decides exactly and measures within its bound - Model*"
-  OLD [[Wide(r.whole + r.rest) << r.shift]]
-  NEW [[Wide(r.whole) << r.shift]])
+  OLD [[Int128(r.whole + r.rest) << r.shift]]
+  NEW [[Int128(r.whole) << r.shift]])
 mutant(model_sphere_light_on_it_is_inside FILE model/unit/tri/test_primitive.cpp TEST unit
   "tri is right for secondary rays and spheres*"
   OLD [[return end > 0 && (m.power < 0 || m.along < 0);]]

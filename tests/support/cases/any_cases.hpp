@@ -27,16 +27,16 @@ inline Config any_format(const std::string& name, const std::string& kinds = "sp
     return c;
 }
 
-inline Wide wide_bits(Draw& draw, int bits) {
-    return bits <= 64 ? Wide(draw.bits(bits)) : Wide(draw.bits(bits - 64)) << 64 | draw.bits(64);
+inline Int128 wide_bits(Draw& draw, int bits) {
+    return bits <= 64 ? Int128(draw.bits(bits)) : Int128(draw.bits(bits - 64)) << 64 | draw.bits(64);
 }
-inline oracle::Int big(Wide x) {
+inline oracle::Int big(Int128 x) {
     oracle::Int r = std::int64_t(x >> 64);
     r <<= 64;
     return r + std::uint64_t(x);
 }
-inline Wide narrow(const oracle::Int& x) {
-    return Wide((x >> 64).convert_to<std::int64_t>()) << 64 |
+inline Int128 narrow(const oracle::Int& x) {
+    return Int128((x >> 64).convert_to<std::int64_t>()) << 64 |
            oracle::Int(x & ~std::uint64_t(0)).convert_to<std::uint64_t>();
 }
 
@@ -220,7 +220,7 @@ inline Best any_best(Draw& draw, const Config& c, const TriRsp& own, std::uint32
     const std::uint32_t others[] = {prim, prim - 1, prim + 1, std::uint32_t(draw.natural(c.prim_bits))};
     best.prim = others[draw.below(4)];
     if (!own.closer || draw.below(4) == 0) return best;
-    const Wide factor = draw.between(1, 5);
+    const Int128 factor = draw.between(1, 5);
     const bool fits = own.num * factor >> num_bits == 0 && own.det * factor >> det_bits == 0;
     best.num = fits ? own.num * factor : own.num;
     best.det = fits ? own.det * factor : own.det;

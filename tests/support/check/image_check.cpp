@@ -193,10 +193,10 @@ private:
     /// Returns true for collinear corners. Uses Lagrange's identity |u|^2 |v|^2 = (u . v)^2, a different
     /// method than the compiler's cross product.
     static bool flat(const Vec3i& a, const Vec3i& b, const Vec3i& c) {
-        __extension__ using Wide = __int128;
-        Wide uu = 0, vv = 0, uv = 0;
+        __extension__ using Int128 = __int128;
+        Int128 uu = 0, vv = 0, uv = 0;
         for (std::size_t k = 0; k < 3; ++k) {
-            const Wide u = b[k] - a[k], v = c[k] - a[k];
+            const Int128 u = b[k] - a[k], v = c[k] - a[k];
             uu += u * u;
             vv += v * v;
             uv += u * v;

@@ -54,7 +54,7 @@ public:
         }
         const auto clock = [&]<bool textures>() {
             shade_.clock<false, textures>(
-                now_++, ray_of(closest.offer), wants ? Shade::Wants::surface : Shade::Wants::nothing,
+                now_++, ray_of(closest.offer), wants ? Shade::Fetch::surface : Shade::Fetch::none,
                 ray_of(surf_rsp), {}, surf_req.fires(), spawn.fires(), pixel.fires(), ray_of(tex_rsp),
                 tex_req.fires(), [this](std::uint32_t ray) { return contexts_[ray].pass(frame_, config_); });
         };

@@ -14,7 +14,7 @@ namespace rayclock::test {
 /// The extremes by "unit.signal", with the names of sim/explore/fit/ranges.hpp.
 class Observed {
 public:
-    using Wide = fit::Wide;
+    using Int128 = fit::Int128;
 
     std::map<std::string, fit::Interval> seen;
 
@@ -29,7 +29,7 @@ public:
     }
 
 private:
-    void see(const std::string& name, Wide value) { seen[name] = fit::hull(seen[name], fit::point(value)); }
+    void see(const std::string& name, Int128 value) { seen[name] = fit::hull(seen[name], fit::point(value)); }
 
     void pixel(const Slot& slot) {
         Walk walk(frame_, c_, decoder_);
@@ -65,10 +65,10 @@ private:
             see("raygen.corner", frame_.corner[k]);
             see("raygen.right", frame_.right[k]);
             see("raygen.down", frame_.down[k]);
-            see("raygen.s1_right", Wide(frame_.right[k]) * slot.x);
-            see("raygen.s1_down", Wide(frame_.down[k]) * slot.y);
+            see("raygen.s1_right", Int128(frame_.right[k]) * slot.x);
+            see("raygen.s1_down", Int128(frame_.down[k]) * slot.y);
             see("raygen.s1_sum",
-                Wide(frame_.right[k]) * slot.x + Wide(frame_.down[k]) * slot.y + frame_.corner[k]);
+                Int128(frame_.right[k]) * slot.x + Int128(frame_.down[k]) * slot.y + frame_.corner[k]);
             see("raygen.d", ray.d[k]);
             const std::int64_t size = ray.d[k] < 0 ? -std::int64_t(ray.d[k]) : ray.d[k];
             see("raygen.s0_mag", size);
@@ -81,41 +81,41 @@ private:
     /// Repeats rc_slab stage by stage, for every child.
     void slab(std::size_t k, const Ray& ray, const Node& node) {
         const bool neg = ray.d[k] < 0, zero = ray.len[k] == 0;
-        const Wide distance = neg ? Wide(ray.o[k]) - node.org[k] : Wide(node.org[k]) - ray.o[k];
-        const Wide r = ray.recip[k], up = r + (zero ? 0 : 1);
+        const Int128 distance = neg ? Int128(ray.o[k]) - node.org[k] : Int128(node.org[k]) - ray.o[k];
+        const Int128 r = ray.recip[k], up = r + (zero ? 0 : 1);
         see("box.org", node.org[k]);
         see("box.exp", node.exp[k]);
         see("box.s1_distance", distance);
         see("box.s1_near", distance * r);
         see("box.s1_far", distance * up);
-        const Wide near = (distance * r) >> node.exp[k], far = -((-distance * up) >> node.exp[k]);
+        const Int128 near = (distance * r) >> node.exp[k], far = -((-distance * up) >> node.exp[k]);
         see("box.s2_near", near);
         see("box.s2_far", far);
         const int shift = c_.t_frac_bits + c_.dir_bits - c_.recip_bits - int(ray.len[k]) + int(node.exp[k]);
         const int left = std::clamp(shift, 0, c_.t_bits()), right = shift < 0 ? -shift : 0;
         for (std::size_t i = 0; i < std::size_t(c_.node_width) && node.kind[i] != 0; ++i) {
-            const Wide lo = node.lo[3 * i + k], hi = node.hi[3 * i + k];
+            const Int128 lo = node.lo[3 * i + k], hi = node.hi[3 * i + k];
             see("box.kind", node.kind[i]);
             see("box.plane", lo);
             see("box.plane", hi);
             see("box.step", (neg ? hi : lo) * r);
             see("box.step", (neg ? lo : hi) * up);
-            const Wide near_sum = neg ? near - hi * r : near + lo * r,
-                       far_sum = neg ? far - lo * up : far + hi * up;
+            const Int128 near_sum = neg ? near - hi * r : near + lo * r,
+                         far_sum = neg ? far - lo * up : far + hi * up;
             see("box.s3_near", near_sum);
             see("box.s3_far", far_sum);
             if (zero) continue;
             see("box.s3_left", left);
             see("box.s3_right", right);
-            see("box.s3_up", (Wide(1) << right) - 1);
-            if (far_sum >= 0) moved("far", far_sum + (Wide(1) << right) - 1, left, right);
+            see("box.s3_up", (Int128(1) << right) - 1);
+            if (far_sum >= 0) moved("far", far_sum + (Int128(1) << right) - 1, left, right);
             moved("near", near_sum < 0 ? 0 : near_sum, left, right);
         }
     }
-    void moved(const std::string& name, Wide value, int left, int right) {
+    void moved(const std::string& name, Int128 value, int left, int right) {
         if (name == "far") see("box.s3_far + s3_up", value);
-        const Wide down = value >> right;
-        see("box." + name + ", moved", (down & ((Wide(1) << c_.t_bits()) - 1)) << left);
+        const Int128 down = value >> right;
+        see("box." + name + ", moved", (down & ((Int128(1) << c_.t_bits()) - 1)) << left);
         see("box." + name, down << left);
     }
 
@@ -130,32 +130,32 @@ private:
         }
     }
 
-    using Vec = std::array<Wide, 3>;
+    using Vec = std::array<Int128, 3>;
     static Vec cross(const Vec& a, const Vec& b) {
         return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
     }
-    static Wide dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+    static Int128 dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
     /// Repeats rc_edges, rc_tri and rc_hitdiv, and steps the walk.
     void triangle(const Ray& ray, const PrimData& t, const Best& best, Walk& walk) {
         const auto minus = [](const Vec3i& a, const Vec3i& b) {
-            return Vec{Wide(a[0]) - b[0], Wide(a[1]) - b[1], Wide(a[2]) - b[2]};
+            return Vec{Int128(a[0]) - b[0], Int128(a[1]) - b[1], Int128(a[2]) - b[2]};
         };
         const Vec e1 = minus(t.b, t.a), e2 = minus(t.c, t.a), s = minus(ray.o, t.a),
                   d{ray.d[0], ray.d[1], ray.d[2]};
         const Vec p1 = cross(d, e1), p2 = cross(d, e2), n = cross(e1, e2);
         for (std::size_t k = 0; k < 3; ++k) {
             for (const Vec3i& corner : {t.a, t.b, t.c}) see("tri.a, b, c", corner[k]);
-            for (const Wide e : {e1[k], e2[k]}) see("tri.s1_e1, s1_e2", e);
+            for (const Int128 e : {e1[k], e2[k]}) see("tri.s1_e1, s1_e2", e);
             see("tri.s1_s", s[k]);
             see("tri.s2_p1", p1[k]);
             see("tri.s2_p2", p2[k]);
             see("tri.s2_n", n[k]);
-            for (const Wide term : {p2[k] * e1[k], p2[k] * s[k], p1[k] * s[k]})
+            for (const Int128 term : {p2[k] * e1[k], p2[k] * s[k], p1[k] * s[k]})
                 see("tri.terms of det, u, v", term);
             see("tri.terms of num", n[k] * s[k]);
         }
-        const Wide det = dot(p2, e1), u = dot(p2, s), v = -dot(p1, s), num = dot(n, s);
+        const Int128 det = dot(p2, e1), u = dot(p2, s), v = -dot(p1, s), num = dot(n, s);
         see("tri.s3_det", det);
         see("tri.s3_u", u);
         see("tri.s3_v", v);
@@ -169,12 +169,12 @@ private:
         const TriRsp& rsp = walk.test_triangle();
         if (!rsp.closer) return;
         if (to_beat.found) {
-            see("tri.f1_mine, f1_theirs", Wide(rsp.num) * to_beat.det);
-            see("tri.f1_mine, f1_theirs", Wide(to_beat.num) * rsp.det);
+            see("tri.f1_mine, f1_theirs", Int128(rsp.num) * to_beat.det);
+            see("tri.f1_mine, f1_theirs", Int128(to_beat.num) * rsp.det);
         }
-        see("tri.num_wide", Wide(rsp.num)
+        see("tri.num_wide", Int128(rsp.num)
                                 << (c_.dir_bits > c_.coord_bits + 3 ? c_.dir_bits - c_.coord_bits - 3 : 0));
-        see("tri.t", ((Wide(rsp.num) << (c_.dir_bits - 1 + c_.t_frac_bits)) + rsp.det - 1) / rsp.det);
+        see("tri.t", ((Int128(rsp.num) << (c_.dir_bits - 1 + c_.t_frac_bits)) + rsp.det - 1) / rsp.det);
         see("tri.u, v", rsp.u);
         see("tri.u, v", rsp.v);
     }

@@ -16,18 +16,18 @@ namespace {
 
 /// Returns the least k > 0 for which the coordinate p + k step has left its slab behind; -1 if it
 /// always is.
-Wide steps_to(std::int64_t p, std::int64_t step, std::int64_t end) {
+Int128 steps_to(std::int64_t p, std::int64_t step, std::int64_t end) {
     if (step < 0) p = -p, step = -step;
     if (p >= -end) return 1;
     if (step == 0) return -1;
-    return (Wide(-end) - p + step - 1) / step;
+    return (Int128(-end) - p + step - 1) / step;
 }
 
 /// Computes the correct start of the ray by division.
 std::optional<Vec3l> entry_of(const Vec3l& p, const Vec3i& d, const Config& c) {
-    Wide most = 1;
+    Int128 most = 1;
     for (std::size_t k = 0; k < 3; ++k) {
-        const Wide steps = steps_to(p[k], d[k] * (std::int64_t(1) << c.approach_shift()), lattice_end(c));
+        const Int128 steps = steps_to(p[k], d[k] * (std::int64_t(1) << c.approach_shift()), lattice_end(c));
         if (steps < 0) return std::nullopt;
         most = std::max(most, steps);
     }
@@ -139,7 +139,7 @@ TEST_CASE("a bounce from beyond the lattice starts where it enters the lattice, 
             for (std::size_t k = 0; k < 3 && !entry; ++k) {
                 const std::int64_t off = (std::int64_t(o[k]) << far_drop) - s.o[k];
                 REQUIRE(std::abs(off) <= 1 << far_drop);
-                REQUIRE((through ? -1 : 1) * Wide(off) * s.n[k] >= 0);
+                REQUIRE((through ? -1 : 1) * Int128(off) * s.n[k] >= 0);
             }
         }
         ++(goes ? (entry ? sent : past)[through] : seen ? shown[through] : light);

@@ -19,7 +19,7 @@ using namespace rayclock::test;
 
 namespace {
 
-__extension__ using Wide = __int128;
+__extension__ using Int128 = __int128;
 
 /// Returns the default with some parameters changed.
 Config with(std::initializer_list<std::pair<const char*, int>> values) {
@@ -119,21 +119,21 @@ TEST_CASE("children are sorted by distance, then place", "[trace]") {
 
 TEST_CASE("a quotient made with doubles is the whole number below", "[trace]") {
     Draw draw{4};
-    const Wide most = (Wide(1) << 33) - 1;
+    const Int128 most = (Int128(1) << 33) - 1;
     for (int i = 0; i < 200000; ++i) {
         const int shift = draw.between(4, 31);
         const auto det = std::int64_t(std::max<std::uint64_t>(1, draw.natural(draw.between(1, 63))));
         auto num = std::int64_t(draw.natural(draw.between(1, 62)));
         // Half of the quotients are whole numbers, or differ from one by the least amount.
         if (draw.coin()) {
-            const Wide product = (Wide(det) * Wide(draw.natural(33))) >> shift;
-            num = std::int64_t(std::clamp<Wide>(product + draw.between(-1, 1), 0, (Wide(1) << 62) - 1));
+            const Int128 product = (Int128(det) * Int128(draw.natural(33))) >> shift;
+            num = std::int64_t(std::clamp<Int128>(product + draw.between(-1, 1), 0, (Int128(1) << 62) - 1));
         }
-        const Wide exact = (Wide(num) << shift) / det;
+        const Int128 exact = (Int128(num) << shift) / det;
         const Quotient q = quotient(num, shift, det);
         CAPTURE(num, shift, det);
         REQUIRE(q.whole == std::uint64_t(std::min(exact, most)));
-        if (exact < most) REQUIRE(q.rest == ((Wide(num) << shift) % det != 0));
+        if (exact < most) REQUIRE(q.rest == ((Int128(num) << shift) % det != 0));
     }
 }
 

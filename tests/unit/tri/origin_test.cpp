@@ -53,7 +53,7 @@ oracle::Point cross(const oracle::Point& a, const oracle::Point& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 int sign(const Int& x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
-Int wide(Wide x) {
+Int wide(Int128 x) {
     Int r = Int(std::int64_t(x >> 64));
     r <<= 64;
     return r + Int(std::uint64_t(x));

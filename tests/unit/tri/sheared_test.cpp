@@ -174,7 +174,7 @@ TEST_CASE("the corners of the lattice do not overflow the sheared test", "[primi
         return Vec3i{which & 1 ? most : -most - 1, which & 2 ? most : -most - 1,
                      which & 4 ? most : -most - 1};
     };
-    Wide largest_num = 0, largest_det = 0;
+    Int128 largest_num = 0, largest_det = 0;
     for (int a = 0; a < 8; ++a)
         for (int b = 0; b < 8; ++b)
             for (int c = 0; c < 8; ++c)

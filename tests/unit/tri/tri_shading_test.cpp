@@ -197,9 +197,9 @@ TEST_CASE("the root is rounded down, to 28 bits", "[any]") {
     Draw draw{5};
     for (int i = 0; i < 20000; ++i) {
         const int bits = draw.below(123);
-        Wide square = wide_bits(draw, bits);
+        Int128 square = wide_bits(draw, bits);
         if (draw.coin()) {   // a square, or a neighbour of one, shifted left
-            const Wide side = wide_bits(draw, bits / 2);
+            const Int128 side = wide_bits(draw, bits / 2);
             square = side * side + (side > 0 ? draw.between(-1, 1) : 0);
         }
         const Root r = root(WideNatural(square));

@@ -51,7 +51,7 @@ TriRsp truth(const TriReq& req, const Config& config) {
         side(req.o, req.d, b, c, w) != sign)
         return rsp;
     if (req.best.found) {
-        const Wide mine = num * req.best.det, theirs = req.best.num * det;
+        const Int128 mine = num * req.best.det, theirs = req.best.num * det;
         if (mine > theirs || (mine == theirs && prim > req.best.prim)) return rsp;
     }
     rsp.closer = 1;

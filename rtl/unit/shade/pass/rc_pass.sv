@@ -207,7 +207,7 @@ module rc_pass #(
   logic [Stages:0] surf_at, light_at, bounce_at, end_at, transform_at, texture_at, face_at, tone_at;
   logic [Stages:0] sends_at;   // light, bounce or texture: a ray may start
   logic [Stages:0] cutout_at;
-  logic [Stages:1] surf_q, light_q, bounce_q, end_q, transform_q_at, texture_q, cutout_q;
+  logic [Stages:1] surf_q, light_q, bounce_q, end_q, transform_q, texture_q, cutout_q;
 
   always_ff @(posedge clk_i) begin
     for (int i = 0; i < Stages; i++)
@@ -216,7 +216,7 @@ module rc_pass #(
         light_q[i+1]  <= light_at[i];
         bounce_q[i+1] <= bounce_at[i];
         end_q[i+1]    <= end_at[i];
-        transform_q_at[i+1] <= transform_at[i];
+        transform_q[i+1] <= transform_at[i];
         texture_q[i+1]      <= texture_at[i];
         cutout_q[i+1]       <= cutout_at[i];
       end
@@ -227,7 +227,7 @@ module rc_pass #(
     assign light_at     = {light_q, s0_light};
     assign bounce_at    = {bounce_q, s0_bounce};
     assign end_at       = {end_q, s0_end};
-    assign transform_at = {transform_q_at, s0_transform};
+    assign transform_at = {transform_q, s0_transform};
     assign texture_at   = {texture_q, s0_texture};
     assign cutout_at    = {cutout_q, s0_cutout};
   end else begin : gen_goes_on
@@ -235,7 +235,7 @@ module rc_pass #(
     assign light_at     = {light_q & ends[Stages:1], s0_light};
     assign bounce_at    = {bounce_q & ends[Stages:1], s0_bounce};
     assign end_at       = {end_q & ends[Stages:1], s0_end};
-    assign transform_at = {transform_q_at & ends[Stages:1], s0_transform};
+    assign transform_at = {transform_q & ends[Stages:1], s0_transform};
     assign texture_at   = {texture_q & ends[Stages:1], s0_texture};
     assign cutout_at    = {cutout_q & ends[Stages:1], s0_cutout};
   end
@@ -400,12 +400,12 @@ module rc_pass #(
   for (genvar k = 0; k < 3; k++) begin : gen_target
     assign s5_target[k*UnitW +: UnitW] =
         light_q[Toward]        ? UnitW'($signed(s5_to[k*ToLightW +: ToLightW]))
-        : transform_q_at[Toward] ? s5_turned[k*UnitW +: UnitW] : s5_toward[k*UnitW +: UnitW];
+        : transform_q[Toward] ? s5_turned[k*UnitW +: UnitW] : s5_toward[k*UnitW +: UnitW];
   end
 
   rc_angles #(.UnitW(UnitW)) u_angles (
     .clk_i, .rst_ni, .surf_i(face_at[Unit+1:0]), .light_i(light_at[Unit+1:0]),
-    .phase_i(phase[(Unit+1)*Every-1:0]), .s13_surf_i(surf_q[Unit] || transform_q_at[Unit]),
+    .phase_i(phase[(Unit+1)*Every-1:0]), .s13_surf_i(surf_q[Unit] || transform_q[Unit]),
     .s0_d_i(d),
     .s5_toward_i(s5_target), .s13_normal_i(s13_normal), .s13_view_i(s13_view),
     .s13_unit_o(s13_unit), .s13_view_o(s13_new_view), .s15_cosine_o(s15_cosine),
@@ -436,7 +436,7 @@ module rc_pass #(
 
     assign leaves_13 = rc_pkg::HasHomes ? transform_at[Unit] : surf_at[Unit];
     assign begins_14 = phase[(Unit+1)*Every]
-                     && (rc_pkg::HasHomes ? transform_q_at[Unit+1] : surf_q[Unit+1]);
+                     && (rc_pkg::HasHomes ? transform_q[Unit+1] : surf_q[Unit+1]);
 
     rc_stage_delay #(.Width(1), .Stages(Unit)) u_inside (
       .clk_i, .rst_ni, .enter_i(face_at[0]), .leave_i(face_at[Unit]),
@@ -690,7 +690,7 @@ module rc_pass #(
     .surf_normal_i(surf_normal), .surf_view_i(surf_view), .surf_cosine_i(surf_cosine),
     .surf_far_i(surf_far), .surf_lost_i(surf_lost), .surf_albedo_i(surf_albedo),
     .surf_ambient_i(surf_ambient), .background_i(end_background),
-    .transform_i(Cut ? transform_q_at[Stages-1] : transform_at[Stages]), .transform_o_i(turned_o),
+    .transform_i(Cut ? transform_q[Stages-1] : transform_at[Stages]), .transform_o_i(turned_o),
     .home_i(end_home),
     .home_o_i(end_home_o), .home_d_i(end_home_d),
     .light_near_i(light_near), .light_clear_i(light_clear), .light_place_i(light_place),
