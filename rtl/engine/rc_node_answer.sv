@@ -30,7 +30,7 @@ module rc_node_answer #(
   input  logic                           end_valid_i,
   output logic                           rsp_valid_o,
   input  logic                           rsp_ready_i,
-  output logic [rc_pkg::BoxRspW-1:0]     rsp_o
+  output logic [rc_pkg::NodeAnswerW-1:0] rsp_o
 );
   localparam int unsigned EntryW = TBits + OffsetBits + CountBits;
   localparam int unsigned In     = rc_pkg::PathCut;
@@ -76,11 +76,11 @@ module rc_node_answer #(
 
   // Result queue.
   logic                       queue_ready;
-  logic [rc_pkg::BoxRspW-1:0] queue_data;
+  logic [rc_pkg::NodeAnswerW-1:0] queue_data;
 
   assign queue_data = {end_whose, end_inner, end_leaves, end_entries};
 
-  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (
+  rc_fifo #(.Width(rc_pkg::NodeAnswerW), .Depth(rc_pkg::BoxQueue)) u_queue (
     .clk_i, .rst_ni, .valid_i(end_valid_i), .ready_o(queue_ready), .data_i(queue_data),
     .valid_o(rsp_valid_o), .ready_i(rsp_ready_i), .data_o(rsp_o));
 

@@ -145,11 +145,11 @@ TEST_CASE("lockstep names the first cycle in which the RTL is late") {
     const Job job = small_job();
     const Event event = first_event<NodeAnswer>(job, Link::box_rsp, [](const NodeAnswer&) { return true; });
     const std::string queue =
-        "  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (\n    .clk_i, .rst_ni, ";
+        "  rc_fifo #(.Width(rc_pkg::NodeAnswerW), .Depth(rc_pkg::BoxQueue)) u_queue (\n    .clk_i, .rst_ni, ";
     const Mutant mutant(
         "engine/rc_node_answer.sv",
         queue + ".valid_i(end_valid_i), .ready_o(queue_ready), .data_i(queue_data),",
-        "  logic late_q;\n  logic [rc_pkg::BoxRspW-1:0] data_q;\n  always_ff @(posedge clk_i) begin\n"
+        "  logic late_q;\n  logic [rc_pkg::NodeAnswerW-1:0] data_q;\n  always_ff @(posedge clk_i) begin\n"
         "    late_q <= rst_ni && end_valid_i;\n    data_q <= queue_data;\n  end\n" +
             queue + ".valid_i(late_q), .ready_o(queue_ready), .data_i(data_q),");
     const LockstepResult result = run_lockstep(job);

@@ -75,7 +75,7 @@ module rc_slant (
   end
 
   // The box, the exits, and their order.
-  logic [rc_pkg::BoxRspW-1:0] rsp;
+  logic [rc_pkg::NodeAnswerW-1:0] rsp;
 
   rc_cell_answer #(.Latency(Latency), .Meet(Meet)) u_answer (
     .clk_i, .rst_ni, .valid_i(valid), .ray_i(in.ray), .o_i(in.o), .neg_i(neg),

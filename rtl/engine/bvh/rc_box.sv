@@ -21,7 +21,7 @@ module rc_box (
   // To trav
   output logic             rsp_valid_o,
   input  logic             rsp_ready_i,
-  output rc_pkg::box_rsp_t rsp_o
+  output rc_pkg::node_answer_t rsp_o
 );
   localparam int unsigned NodeWidth   = rc_pkg::NodeWidth;
   localparam int unsigned Beats       = rc_pkg::BoxInterval;   // beats of a node
@@ -213,7 +213,7 @@ module rc_box (
   end
 
   // Their order, and the result queue.
-  logic [rc_pkg::BoxRspW-1:0] rsp;
+  logic [rc_pkg::NodeAnswerW-1:0] rsp;
 
   rc_node_answer #(.Latency(Latency)) u_answer (
     .clk_i, .rst_ni, .enable_i(enable[Latency-1:0]), .ray_i(in.ray), .base_i(in.base),

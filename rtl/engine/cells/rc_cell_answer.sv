@@ -43,7 +43,7 @@ module rc_cell_answer #(
   // To trav
   output logic                       rsp_valid_o,
   input  logic                       rsp_ready_i,
-  output logic [rc_pkg::BoxRspW-1:0] rsp_o
+  output logic [rc_pkg::NodeAnswerW-1:0] rsp_o
 );
   // The stage in which the box's times are ready, and the cycles that they wait.
   localparam int unsigned In   = rc_pkg::PathCut;

@@ -17,14 +17,14 @@ module rc_node_test #(
   input  logic             open_i,       // the credit counter that two units share is open
   // To trav
   output logic             rsp_valid_o,
-  output rc_pkg::box_rsp_t rsp_o,        // all these units have the same form of answer
+  output rc_pkg::node_answer_t rsp_o,
   // In: its cache waits for memory. Out: what it did, rc_pkg::decide_cause_e.
   input  logic             node_waits_i,
   output logic [rc_pkg::CauseBits-1:0] cause_o
 );
   logic                       req_valid, ready, occupied, valid;
-  rc_pkg::box_rsp_t           own;
-  logic [rc_pkg::BoxRspW-1:0] own_flat, rsp_flat;
+  rc_pkg::node_answer_t       own;
+  logic [rc_pkg::NodeAnswerW-1:0] own_flat, rsp_flat;
 
   // A unit that accepts a node in every cycle.
 `define RC_NODE_UNIT(STRUCTURE, UNIT) \
@@ -56,7 +56,7 @@ module rc_node_test #(
 
   rc_pulse_register #(.Stages(Pad)) u_waits (
     .clk_i, .rst_ni, .fires_i(valid), .fires_o(rsp_valid_o));
-  rc_path_register #(.Width(rc_pkg::BoxRspW), .Stages(Pad)) u_answer (
+  rc_path_register #(.Width(rc_pkg::NodeAnswerW), .Stages(Pad)) u_answer (
     .clk_i, .data_i(own_flat), .data_o(rsp_flat));
 
   assign rsp_o = rsp_flat;

@@ -55,7 +55,7 @@ module rc_trav (
   output logic [rc_pkg::NodeReqBits-1:0] decide_req_o,
   input  logic              decide_rsp_valid_i,
   output logic              decide_rsp_ready_o,
-  input  rc_pkg::box_rsp_t  decide_rsp_i,
+  input  rc_pkg::node_answer_t decide_rsp_i,
   // With two structures: to the unit that decides the meshes' nodes
   output logic              mesh_req_valid_o,
   input  logic              mesh_req_ready_i,
@@ -239,8 +239,8 @@ module rc_trav (
   end
 
   // ---- Answers: box's answer (rsp0, then rsp1), and the ray's distance to beat.
-  rc_pkg::box_rsp_t           rsp1;
-  logic [rc_pkg::BoxRspW-1:0] rsp0, rsp1_flat;
+  rc_pkg::node_answer_t       rsp1;
+  logic [rc_pkg::NodeAnswerW-1:0] rsp0, rsp1_flat;
   logic                       rsp0_fires, rsp2_fires;
   logic [TBits-1:0]           rsp1_t;
 
@@ -256,7 +256,8 @@ module rc_trav (
     .write_t_i(tested_i.t_best), .read_ray_i(decide_rsp_i.ray), .read_t_o(rsp1_t),
     .near_i(rsp1.t_near), .within_o(rsp1_within));
 
-  rc_path_register #(.Width(rc_pkg::BoxRspW)) u_rsp1 (.clk_i, .data_i(rsp0), .data_o(rsp1_flat));
+  rc_path_register #(.Width(rc_pkg::NodeAnswerW)) u_rsp1 (
+    .clk_i, .data_i(rsp0), .data_o(rsp1_flat));
   assign rsp1 = rsp1_flat;
 
   // Leaves: moved to the front of the entries.

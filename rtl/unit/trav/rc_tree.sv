@@ -60,7 +60,7 @@ module rc_tree (
   logic                           decide_req_valid, decide_req_ready;
   logic [rc_pkg::NodeReqBits-1:0] decide_req;
   logic                           decide_rsp_valid, decide_rsp_ready;
-  rc_pkg::box_rsp_t               decide_rsp, mesh_rsp, rsp;
+  rc_pkg::node_answer_t           decide_rsp, mesh_rsp, rsp;
   logic                           mesh_req_valid, mesh_req_ready;
   logic [rc_pkg::MeshReqBits-1:0] mesh_req;
   logic                           mesh_rsp_valid, mesh_rsp_ready;

@@ -669,6 +669,7 @@ std::string rc_package(const Config& config) {
     p.record<Frame>("frame");
     p.record<ShadeFrame>("shade_frame");
     p.record<NodeRsp>("node_rsp");
+    p.record<NodeAnswer>("node_answer");   // of every node unit
     p.record<PrimRsp>("prim_rsp");
     p.record<Start>("start");
     p.record<Shear>("shear");

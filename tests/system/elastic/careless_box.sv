@@ -11,9 +11,9 @@ module rc_box (
   // To trav
   output logic             rsp_valid_o,
   input  logic             rsp_ready_i,
-  output rc_pkg::box_rsp_t rsp_o
+  output rc_pkg::node_answer_t rsp_o
 );
-  rc_pkg::box_rsp_t own;
+  rc_pkg::node_answer_t own;
 
   rc_box_own u_own (
     .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .occupied_o,

@@ -12,10 +12,10 @@ module rc_box (
   // To trav
   output logic             rsp_valid_o,
   input  logic             rsp_ready_i,
-  output rc_pkg::box_rsp_t rsp_o
+  output rc_pkg::node_answer_t rsp_o
 );
   logic             own_valid, own_ready;
-  rc_pkg::box_rsp_t own, kept_q;
+  rc_pkg::node_answer_t own, kept_q;
   logic [3:0]       age_q;     // 0: nothing is kept
   logic             leaves;    // the kept answer is offered
 
