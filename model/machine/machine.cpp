@@ -239,7 +239,14 @@ void Machine::pass_window(std::uint64_t cycles) {
         const std::uint32_t client = id >> client_shift_;
         fills_[client / clients_][client % clients_].add(cycle, id & ((1u << client_shift_) - 1));
     });
-    for (std::size_t p = 0; p < pipelines_.size(); ++p) hits_ += pipelines_[p].run(now_, cycles, fills_[p]);
+    const std::uint64_t hits_before = hits_;
+    bool moved = false;
+    for (std::size_t p = 0; p < pipelines_.size(); ++p) {
+        const std::uint64_t lookups = pipelines_[p].lookups();
+        hits_ += pipelines_[p].run(now_, cycles, fills_[p]);
+        moved |= pipelines_[p].lookups() != lookups;
+    }
+    moved |= hits_ != hits_before;
     finished_ = 0;
     for (const std::uint64_t end = now_ + cycles; now_ < end;) {
         std::uint64_t still = memory_.valid() ? 0 : std::min(end - now_, memory_.still());
@@ -260,7 +267,7 @@ void Machine::pass_window(std::uint64_t cycles) {
             memory_.skip(still);
         now_ += still;
     }
-    moved_at_ = now_;
+    if (moved) moved_at_ = now_;
 }
 
 void Machine::warm(std::uint32_t pipeline, const std::uint32_t* pixel) {

@@ -64,9 +64,11 @@ public:
 
     const Config& config() const { return config_; }
     bool done() const { return hits_ == pixels_; }
-    std::uint64_t cycle() const { return now_; }               ///< since construction
-    std::uint64_t hits() const { return hits_; }               ///< of the frame
-    std::uint64_t quiet() const { return now_ - moved_at_; }   ///< cycles since anything moved
+    std::uint64_t cycle() const { return now_; }   ///< since construction
+    std::uint64_t hits() const { return hits_; }   ///< of the frame
+    /// Returns the cycles since anything moved. After run() it may differ by the latency of the units: in a
+    /// window only hits, look-ups and transfers of the shared units count.
+    std::uint64_t quiet() const { return now_ - moved_at_; }
     const Slot& pixel(int pipeline, std::uint32_t ray) const {
         return pipelines_[std::size_t(pipeline)].pixel(ray);
     }

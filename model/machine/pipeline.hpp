@@ -73,6 +73,8 @@ public:
     bool looks_idle() const {
         return (node_outcome_ > CacheOutcome::drain) & (prim_outcome_ > CacheOutcome::drain);
     }
+    /// Returns how many look-ups and drains node_cache and prim_cache have made.
+    std::uint64_t lookups() const { return lookups_; }
     /// A request of a cache to memory was accepted.
     void take_miss(std::uint32_t cache) {
         (cache == 0   ? node_cache_
@@ -277,10 +279,12 @@ private:
     void account_prim_side(std::uint32_t codes) {
         last_prim_side_ = codes << cause_bits | std::uint32_t(prim_outcome_);
         ++prim_side_[last_prim_side_];
+        lookups_ += prim_outcome_ <= CacheOutcome::drain;
     }
     void account_node_side(std::uint32_t codes) {
         last_node_side_ = codes << cause_bits | std::uint32_t(node_outcome_);
         ++node_side_[last_node_side_];
+        lookups_ += node_outcome_ <= CacheOutcome::drain;
     }
     void account_ray_side(std::uint32_t codes) {
         last_ray_side_ = codes;
@@ -349,6 +353,7 @@ private:
     bool asleep_ = false;
 
     // Cycles by the units' codes. A cache's outcome has cause_bits; the code of shade or tex follows it.
+    std::uint64_t lookups_ = 0;
     std::uint32_t last_prim_side_ = 0, last_node_side_ = 0, last_ray_side_ = 0, last_surf_or_stream_ = 0;
     std::array<std::uint64_t, 1 << (cause_bits + 2 * UnitCodes::code_bits)> prim_side_{}, node_side_{};
     std::array<std::uint64_t, 1 << 2 * UnitCodes::code_bits> ray_side_{};

@@ -93,7 +93,19 @@ TEST_CASE("Embree meets the spheres of a stream as the chip does, except for its
           "[reference][embree][stream]") {
     const Scene scene = load_scene("wknd");
     REQUIRE(scene.triangles.empty());
-    const ListedRays rays("random rays", random_rays(scene, 20000, 13));
+    std::vector<StreamRay> given = random_rays(scene, 20000, 13);
+    Rng dice(14);
+    const auto offset = [&] {
+        return glm::dvec3(dice.below(201) - 100, dice.below(201) - 100, dice.below(201) - 100) / 100.0;
+    };
+    for (std::size_t i = 0; i < given.size(); i += 2) {   // every second ray passes by a small sphere
+        const Sphere& s = scene.spheres[i % scene.spheres.size()];
+        if (s.radius >= 2) continue;
+        given[i] = {};
+        given[i].origin = s.centre + 5.0 * offset();
+        given[i].direction = s.centre + 1.2 * s.radius * offset() - given[i].origin;
+    }
+    const ListedRays rays("random rays", std::move(given));
     const Config config = settled(streaming(named_config("default"), scene));
     const StreamJob stream = make_stream_job(scene, rays, config, Outside::clip);
     const std::vector<Closest> answers = record_frame(stream.job, stream.job.frame).trace.hits;

@@ -106,7 +106,8 @@ mutant(sample_runs_tiles_twice FILE sim/run/sample/sample.cpp TEST sample "sampl
 mutant(sample_expects_no_wait_for_xform FILE sim/run/sample/sample.cpp TEST sample "the expected cycles of*"
   OLD [[instance_(std::uint64_t(config.xform_interval) - 1)]]
   NEW [[instance_(0)]])
-mutant(sample_counts_no_instances FILE sim/run/sample/sampled.cpp TEST sample "a sample counts visits of instances*"
+mutant(sample_counts_no_instances FILE sim/run/sample/sampled.cpp TEST sample
+  "a sample counts visits of instances*"
   OLD [[if (unit == Unit::xform) return Work::instances;]]
   NEW [[]])
 mutant(sample_film_adds_no_variances FILE sim/run/sample/estimate.cpp TEST sample "95 % intervals of a mean*"
