@@ -195,7 +195,8 @@ TEST_CASE("idle cycles that are passed over are as if each had been stepped", "[
     std::vector<RecordedFrame> frames;
     for (int i = 0; i < 2; ++i)
         frames.push_back(record_frame(job, job.frame));   // the second with warm caches
-    // A ray passes through these units without a look-up in node_cache or prim_cache.
+    // A ray passes through these units without a look-up in node_cache or prim_cache. In shade it can make
+    // several passes.
     const int latencies = int(Pipeline::max_window) + job.config.raygen_latency() +
                           job.config.shade_latency() + job.config.tri_latency() + node_latency(job.config);
     Machine stepped{job.config, khz}, ran{job.config, khz};
@@ -210,7 +211,7 @@ TEST_CASE("idle cycles that are passed over are as if each had been stepped", "[
             REQUIRE(ran.cycle() < 2000000);
             REQUIRE(stepped.hits() == ran.hits());
             REQUIRE(ran.quiet() + Pipeline::max_window >= stepped.quiet());
-            REQUIRE(ran.quiet() <= stepped.quiet() + std::uint64_t(latencies));
+            REQUIRE(ran.quiet() <= stepped.quiet() + 4 * std::uint64_t(latencies));
             REQUIRE(stepped.accounts() == ran.accounts());
             REQUIRE(stepped.memory().stats() == ran.memory().stats());
         }
