@@ -1046,6 +1046,17 @@ package rc_pkg;
 
   typedef struct packed {
     logic [5:0] ray;
+    logic [23:0] base;
+    logic [3:0] inner;
+    logic [3:0] leaves;
+    logic [191:0] t_near;
+    logic [47:0] offset;
+    logic [23:0] count;
+  } node_answer_t;
+  localparam int unsigned NodeAnswerW = 302;
+
+  typedef struct packed {
+    logic [5:0] ray;
     logic [53:0] a;
     logic [53:0] b;
     logic [53:0] c;

@@ -31,9 +31,9 @@ TEST_CASE("area counts the units of every machine, each different one once, and 
     INFO(first.err);
     REQUIRE(first.code == 0);
     CHECK(first.err.empty());
-    CHECK(first.out.find(" of 9 machines, 0 of them known before") != std::string::npos);
+    CHECK(first.out.find(" of 10 machines, 0 of them known before") != std::string::npos);
     const json report = json::parse(bytes_of(folder.name("a.json")));
-    REQUIRE(report["variants"].size() == 9);
+    REQUIRE(report["variants"].size() == 10);
     CHECK(report["variants"][0]["name"] == "hits");
     CHECK(report["variants"][8]["name"] == "all units");
     for (const json& variant : report["variants"]) {

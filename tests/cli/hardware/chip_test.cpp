@@ -428,7 +428,7 @@ TEST_CASE("a full disk gives one sentence in every step, and nothing of that ste
     // In blocks of 512 bytes. rayclock writes the package, Yosys the netlist, and Yosys does not report why
     // it fails.
     for (const auto& [blocks, why] :
-         {std::pair{"4", "File too large"}, {"100", "is the disk full?"}, {"400", "is the disk full?"}}) {
+         {std::pair{"4", "File too large"}, {"150", "is the disk full?"}, {"400", "is the disk full?"}}) {
         INFO("blocks: " << blocks);
         check_refused(run_in_shell(std::string("ulimit -f ") + blocks + "; " + variables + "exec \"$@\"",
                                    FakeNextpnr::words({})),

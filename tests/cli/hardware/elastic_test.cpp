@@ -120,7 +120,7 @@ TEST_CASE("units and files that make no sense are refused in a sentence") {
         words.insert(words.end(), odd.begin(), odd.end());
         check_refused(verify(words), {odd[0], "--unit-only"});
     }
-    check_refused(verify({"--unit-only", "tri", "--frames", "2"}), {"films", "--unit-only"});
+    check_refused(verify({"--unit-only", "tri", "--frames", "2"}), {"several frames", "--unit-only"});
     const std::string out = folder.name("out");
     check_refused(run_program({"template", "bix", "-o", out}), {"'bix'"});
     check_refused(run_program({"template", "memport", "-o", out}), {"memport"});
