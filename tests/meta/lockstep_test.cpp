@@ -133,7 +133,7 @@ TEST_CASE("lockstep names the pixel whose ray is wrong") {
     const Event event = first_event<Ray>(job, Link::ray, [](const Ray& ray) { return ray.ray == 5; });
     const Mutant mutant("unit/raygen/rc_raygen.sv", "assign ray_o = ray_data;",
                         "assign ray_o = ray_data ^ {{(rc_pkg::RayW-1){1'b0}}, ray_data[rc_pkg::RayW-1 -: "
-                        "RayBits] == RayBits'(5)};");
+                        "rc_pkg::RayBits] == rc_pkg::RayBits'(5)};");
     const LockstepResult result = run_lockstep(job);
     check_first(result, event, "raygen", "ray");
     CHECK(event.x == 3);   // the sixth in Morton order

@@ -35,7 +35,7 @@ TEST_CASE("area counts the units of every machine, each different one once, and 
     const json report = json::parse(bytes_of(folder.name("a.json")));
     REQUIRE(report["variants"].size() == 10);
     CHECK(report["variants"][0]["name"] == "hits");
-    CHECK(report["variants"][8]["name"] == "all units");
+    CHECK(report["variants"][9]["name"] == "all units");
     for (const json& variant : report["variants"]) {
         CHECK(variant["units"].size() == 2);
         const json sched = part_of(variant, "sched")["count"],
@@ -53,6 +53,7 @@ TEST_CASE("area counts the units of every machine, each different one once, and 
               sched["lut4"].get<int>() + 2 * sched["ccu2c"].get<int>() + 6 * sched["dpr16x4"].get<int>());
         // Of the two, only sched exists once per pipeline.
         CHECK(variant["pipeline"] == sched);
+        if (variant["name"] == "stream") continue;   // its dispatch counts groups of rays
         CHECK(part_of(variant, "dispatch") == part_of(report["variants"][0], "dispatch"));
     }
     const Outcome second = area("b.json");

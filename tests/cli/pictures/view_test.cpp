@@ -90,7 +90,7 @@ TEST_CASE("an illegal view is refused with its option and value") {
     refused({"--eye", "1,1,1", "--at", "1,1,1"}, {"eye", "are the same"});
     for (const char* pixels :
          {"1", "1,2,3", "a,0,4x4", "0,0,4x", "0,0,4x4x4", "0,0,4x4,5", "99999999999,0,4x4"})
-        refused({"--pixels", pixels}, {"--pixels", pixels, "COLUMN,ROW,WIDTHxHEIGHT"});
+        refused({"--pixels", pixels}, {"--pixels", pixels, "400,300,64x48"});
     for (const char* pixels :
          {"-1,0,4x4", "0,-1,4x4", "0,0,0x4", "0,0,4x0", "0,0,25x4", "21,0,4x4", "0,15,4x4"})
         refused({"--size", "24x18", "--pixels", pixels}, {"--pixels", pixels, "does not lie in", "24x18"});
