@@ -84,14 +84,18 @@ module rc_raygen_stream (
 
   assign last = end_record;
 
-  always_comb begin
-    new_ray       = '0;
-    new_ray.ray   = last.ray;
-    new_ray.kind  = last.kind;
-    new_ray.o     = last.o;
-    new_ray.d     = last.d;
-    new_ray.recip = recip;
-    new_ray.len   = len;
+  if (rc_pkg::IsStream) begin : gen_ray
+    always_comb begin
+      new_ray       = '0;
+      new_ray.ray   = last.ray;
+      new_ray.kind  = last.kind;
+      new_ray.o     = last.o;
+      new_ray.d     = last.d;
+      new_ray.recip = recip;
+      new_ray.len   = len;
+    end
+  end else begin : gen_no_ray   // tools also parse a chip without streams
+    assign new_ray = '0;
   end
 
   rc_fifo #(.Width(rc_pkg::RayW), .Depth(rc_pkg::RaygenQueue)) u_queue (
