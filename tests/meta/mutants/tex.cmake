@@ -352,8 +352,8 @@ mutant(tex_hole_at_the_cutoff QUICK FILE ${tex_filter} TEST unit [tex][hole][rtl
   OLD [[s3_alpha < {s3_cutoff,]]
   NEW [[s3_alpha <= {s3_cutoff,]])
 mutant(tex_alpha_of_the_neighbour FILE ${tex_filter} TEST unit [tex][hole][rtl]
-  OLD [[Int128 ? s1_texels_q[i*TexelW +: 8] :]]
-  NEW [[Int128 ? s1_texels_q[(i^1)*TexelW +: 8] :]])
+  OLD [[Wide ? s1_texels_q[i*TexelW +: 8] :]]
+  NEW [[Wide ? s1_texels_q[(i^1)*TexelW +: 8] :]])
 mutant(tex_one_bit_of_alpha_of_the_neighbour FILE ${tex_filter} TEST unit [tex][hole][rtl]
   OLD [[{8{s1_texels_q[i*TexelW]}}]]
   NEW [[{8{s1_texels_q[(i^1)*TexelW]}}]])
