@@ -161,8 +161,8 @@ prove(mutant:formal_tags_keep_the_last_request_for_late TOP tags_ahead RTL ${tag
   NEW [[late_q <= {set_i, tag_i};]])
 prove(mutant:formal_tags_load_the_tree_that_is_written TOP tags_ahead RTL ${tags} CYCLES 10
   FILE mem/rc_tags.sv
-  OLD [[: touched_q && same_late ? late_recent : kept;]]
-  NEW [[: kept;]])
+  OLD [[: touched_q && same_late ? late_recent : stored;]]
+  NEW [[: stored;]])
 set(cache ${tags} mem/rc_cache.sv mem/rc_mshr.sv cells/queues/rc_queue.sv cells/queues/rc_fifo.sv
   cells/queues/rc_fifo_peek.sv cells/flow/rc_credit_counter.sv)
 prove(formal:cache TOP cache_always RTL ${cache} INDUCTION 3)
