@@ -22,7 +22,7 @@ namespace rayclock::sample {
 namespace {
 
 /// Estimates the cycles that one pipeline needs for a pixel, from its work alone: the largest of several
-/// lower bounds. Parts of a frame need nearly the same multiple of it.
+/// lower bounds. The cycles of a part of the frame are nearly proportional to this estimate.
 class Pace {
 public:
     explicit Pace(const Config& config)

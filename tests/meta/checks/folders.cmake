@@ -12,7 +12,7 @@ if(NOT FOLDERS)
 endif()
 # The exceptions. A folder that needs no exception any more must leave this list.
 set(exceptions
-  # One file for each thing of a kind. Its name is that of the thing.
+  # Each file holds one scene family, command, parser, module or table, and has its name.
   model/scene/generate    # a family of scenes
   sim/app                 # a command
   tests/fuzz/dict         # a parser
