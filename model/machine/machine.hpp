@@ -66,8 +66,8 @@ public:
     bool done() const { return hits_ == pixels_; }
     std::uint64_t cycle() const { return now_; }   ///< since construction
     std::uint64_t hits() const { return hits_; }   ///< of the frame
-    /// Returns the cycles since anything moved. After run() it may differ by the latency of the units: in a
-    /// window only hits, look-ups and transfers of the shared units count.
+    /// Returns the number of cycles since the last transfer. After run() it may be off by the latency of the
+    /// units: a window counts only hits, look-ups and transfers of the shared units.
     std::uint64_t quiet() const { return now_ - moved_at_; }
     const Slot& pixel(int pipeline, std::uint32_t ray) const {
         return pipelines_[std::size_t(pipeline)].pixel(ray);

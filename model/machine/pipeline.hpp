@@ -243,7 +243,8 @@ private:
         return node_unit_codes[std::size_t((own & req.valid) + (own & req.fires) +
                                            3 * node_cache_.has_misses_in_flight())];
     }
-    // `plain`: is_plain_ is true, and the caller knows it. Less remains to be computed then.
+    // `plain`: the caller guarantees is_plain_. The compiler then omits the cases that a plain chip never
+    // reaches.
     template <bool plain> static bool is_held(std::uint32_t hold_left) { return !plain && hold_left > 0; }
     template <RayFeed feed, bool levels> void settle(Moves& m, std::uint64_t now);
     template <bool plain> void settle_leaves(Moves& m, std::uint64_t now) const;

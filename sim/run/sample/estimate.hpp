@@ -11,7 +11,7 @@ namespace rayclock::sample {
 /// An estimate and the half-width of its 95 % confidence interval.
 struct Estimate {
     double value = 0, half_width = 0;
-    double variance = 0, degrees = many;   ///< of which the half-width is made
+    double variance = 0, degrees = many;   ///< the half-width follows from these
     static constexpr double many = 1e9;    ///< degrees of freedom of a normal distribution
     Estimate times(double factor) const {
         return {value * factor, half_width * factor, variance * factor * factor, degrees};

@@ -37,8 +37,8 @@ module rc_light #(
   input  logic signed [AxisBits:0] s15_mirror_i,
   // Results
   output logic [3*RayDirBits-1:0] s15_d_o,     // the shadow ray's direction
-  output logic                    s15_near_o,  // it comes from a light within the lattice,
-  output logic [3*N-1:0]          s15_place_o, // from here; only if the chip has instances
+  output logic                    s15_near_o,  // it begins at a light within the lattice
+  output logic [3*N-1:0]          s15_place_o, // the light's place; 0 without instances
   output logic [3*N-1:0]          s28_place_o,
   output logic                    s28_near_o,
   output logic                    s28_clear_o,
