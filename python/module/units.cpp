@@ -36,15 +36,16 @@ void answer_rows(const char* requests, char* responses, std::size_t count, const
     });
 }
 
-/// Returns the time of a plain loop in C++ over the same requests, unpacked before, into a new vector:
-/// seconds.
+/// Returns the time of a plain loop in C++ over the same requests, unpacked before: seconds. `is_new`
+/// includes the allocation of the vector of answers.
 template <class Request, class Response, Response answer(const Request&, const Config&)>
-double seconds_of_loop(const char* rows, std::size_t count, const Config& config) {
+double seconds_of_loop(const char* rows, std::size_t count, const Config& config, bool is_new) {
     const Rows<Request> in(config);
     std::vector<Request> requests(count);
     for (std::size_t i = 0; i < count; ++i) in.read(requests[i], rows + i * in.bytes(), i);
+    std::vector<Response> responses(is_new ? 0 : count);
     const Stopwatch watch;
-    std::vector<Response> responses(count);
+    if (is_new) responses.resize(count);
     for (std::size_t i = 0; i < count; ++i) responses[i] = answer(requests[i], config);
     return watch.seconds();
 }
@@ -90,7 +91,7 @@ struct UnitRow {
     Unit unit;
     Side request, response;
     void (*answer)(const char*, char*, std::size_t, const Config&, int, const Progress&);
-    double (*seconds_of_loop)(const char*, std::size_t, const Config&);
+    double (*seconds_of_loop)(const char*, std::size_t, const Config&, bool);
 };
 template <class Request, class Response, Response answer(const Request&, const Config&)>
 constexpr UnitRow row(Unit unit) {
@@ -149,28 +150,28 @@ py::dtype unit_dtype(const std::string& name, bool is_response, const PyConfig& 
 /// Throws UserError unless the array holds the unit's rows one after the other. The package makes it so.
 void check_rows(const py::array& rows, const py::dtype& wanted) {
     if (rows.ndim() != 1 || !rows.dtype().equal(wanted) || !(rows.flags() & py::array::c_style))
-        throw UserError("the array is not a row of the unit's requests in C order");
+        throw UserError("the array is not a row of the unit's payloads in C order");
 }
 
-py::array answered(const std::string& name, const py::array& requests, const PyConfig& config, int threads) {
+void answer_into(const std::string& name, const py::array& requests, py::array& responses,
+                 const PyConfig& config, int threads) {
     const UnitRow& unit = unit_of(name, config.value);
     check_rows(requests, dtype_of(unit.request.fields(config.value)));
-    py::array responses(dtype_of(unit.response.fields(config.value)),
-                        std::vector<py::ssize_t>{requests.shape(0)});
+    check_rows(responses, dtype_of(unit.response.fields(config.value)));
+    if (responses.shape(0) != requests.shape(0)) throw UserError("there is not one place for each answer");
     const char* const in = static_cast<const char*>(requests.data());
     char* const out = static_cast<char*>(responses.mutable_data());
     const std::size_t count = std::size_t(requests.shape(0));
     run([&unit, in, out, count, threads, machine = config.value](
             const Progress& stop) { unit.answer(in, out, count, machine, threads, stop); },
         py::make_tuple(requests, responses));
-    return responses;
 }
 
-double loop_seconds(const std::string& name, const py::array& requests, const PyConfig& config) {
+double loop_seconds(const std::string& name, const py::array& requests, const PyConfig& config, bool is_new) {
     const UnitRow& unit = unit_of(name, config.value);
     check_rows(requests, dtype_of(unit.request.fields(config.value)));
     return unit.seconds_of_loop(static_cast<const char*>(requests.data()), std::size_t(requests.shape(0)),
-                                config.value);
+                                config.value, is_new);
 }
 
 py::array packed(const std::string& name, bool is_response, const py::array& rows, const PyConfig& config) {
@@ -216,7 +217,7 @@ void bind_units(py::module_& module) {
     module.def("unit_bits", [](const std::string& name, bool is_response, const PyConfig& config) {
         return side(unit_of(name, config.value), is_response).bits(config.value);
     });
-    module.def("unit_answer", &answered);
+    module.def("unit_answer", &answer_into);
     module.def("unit_loop_seconds", &loop_seconds);
     module.def("unit_pack", &packed);
     module.def("unit_unpack", &unpacked);

@@ -12,7 +12,7 @@ pack(name, requests, config), unpack(name, words, config): the bits of the ports
 """
 from __future__ import annotations
 
-from typing import Any, Dict, List, NamedTuple, Union
+from typing import Any, Dict, List, NamedTuple, Optional, Union
 
 import numpy as np
 
@@ -135,19 +135,32 @@ def _from_plain(name: str, given: np.ndarray, dtype: np.dtype, what: str) -> np.
 
 
 def answer(name: str, given: Any = None, config: _Config = "default", *, threads: int = 0,
-           **fields: Any) -> np.ndarray:
+           out: Optional[np.ndarray] = None, **fields: Any) -> np.ndarray:
     """Returns the answers of a unit to a batch of requests.
 
     `given` is a structured array of requests, or a plain array of integers with a column for each number. In
     place of it, fields may be given by name. Raises Error if the configuration lacks the unit, or if a number
-    is wider than its field in the chip. `threads` is the number of threads; 0 means one for each core.
+    is wider than its field in the chip. `threads` is the number of threads; 0 means one for each core. `out` is
+    an array of response_dtype() with a row for each request. It receives the answers and is returned, which saves
+    the time to allocate a new array. After an Error its rows may hold some of the answers.
     """
     machine = config_of(config)
     if given is None:
         given = requests(name, machine, **fields)
     elif fields:
         raise Error(f"{name}: give an array of requests or fields, not both")
-    return _rayclock.unit_answer(name, _rows(name, given, machine, False), machine, whole("threads", threads, 0, 1024))
+    rows = _rows(name, given, machine, False)
+    dtype = _rayclock.unit_dtype(name, True, machine)
+    if out is None:
+        out = np.empty(len(rows), dtype)
+    elif (not isinstance(out, np.ndarray) or out.dtype != dtype or out.shape != rows.shape
+          or not out.flags.carray):
+        raise Error(f"{name}: out must be a writable array in C order of {len(rows)} rows of "
+                    f"response_dtype({name!r}, config)")
+    elif np.may_share_memory(out, rows):
+        raise Error(f"{name}: out shares memory with the requests")
+    _rayclock.unit_answer(name, rows, out, machine, whole("threads", threads, 0, 1024))
+    return out
 
 
 def pack(name: str, rows: np.ndarray, config: _Config = "default", *, response: bool = False) -> np.ndarray:
@@ -181,11 +194,12 @@ def from_port_values(name: str, values: Any, config: _Config = "default", *, res
 
 
 def _make(name: str) -> Any:
-    def call(given: Any = None, config: _Config = "default", *, threads: int = 0, **fields: Any) -> np.ndarray:
-        return answer(name, given, config, threads=threads, **fields)
+    def call(given: Any = None, config: _Config = "default", *, threads: int = 0, out: Optional[np.ndarray] = None,
+             **fields: Any) -> np.ndarray:
+        return answer(name, given, config, threads=threads, out=out, **fields)
 
     call.__name__ = call.__qualname__ = name
-    call.__doc__ = f"Returns the answers of the unit {name}: answer({name!r}, given, config, **fields)."
+    call.__doc__ = f"Returns the answers of the unit {name}: answer({name!r}, given, config, out=out, **fields)."
     return call
 
 

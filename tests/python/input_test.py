@@ -127,6 +127,13 @@ class Units(Case):
         self.refused("requests are n x 21 numbers, not 3 x 4", unit.tri, np.zeros((3, 4), int))
         self.refused("not both", unit.tri, good, o=[0, 0, 0])
         self.refused("have one dimension", unit.tri, good.reshape(1, 1))
+        room = np.zeros(1, unit.response_dtype("tri"))
+        for wrong in ([0], np.zeros(2, room.dtype), np.zeros(1), np.frombuffer(bytes(room.nbytes), room.dtype)):
+            self.refused("out must be a writable array in C order of 1 rows", unit.tri, good, out=wrong)
+        self.refused("in C order of 2 rows", unit.tri, good.repeat(2), out=room.repeat(4)[::2])
+        whole = np.zeros(room.nbytes + good.nbytes, np.uint8)
+        self.refused("out shares memory", unit.tri, whole[:good.nbytes].view(good.dtype),
+                     out=whole[8:8 + room.nbytes].view(room.dtype))
         self.refused("another field has 2", unit.tri, o=np.zeros((2, 3), int), d=np.zeros((3, 3), int))
         self.assertEqual(len(unit.tri(good[:0])), 0)
 
