@@ -66,7 +66,7 @@ const std::vector<SdramPart>& sdram_parts() {
     return all;
 }
 
-const SdramPart& sdram_part(const std::string& name) {
+const SdramPart& sdram_part(std::string_view name) {
     for (const SdramPart& part : sdram_parts())
         if (part.name == name) return part;
     std::vector<std::string> names;

@@ -2,6 +2,7 @@
 // Figures of the SDR SDRAM chips that ULX3S boards carry, and the timings of a controller in clocks.
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rayclock {
@@ -30,7 +31,7 @@ struct SdramPart {
 };
 
 /// Returns the chip called `name`; throws UserError for an unknown name. sdram_parts() lists all.
-const SdramPart& sdram_part(const std::string& name);
+const SdramPart& sdram_part(std::string_view name);
 const std::vector<SdramPart>& sdram_parts();
 
 /// Gates in clocks of the controller, and its other parameters. Mirror of the parameters of
