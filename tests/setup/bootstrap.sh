@@ -46,6 +46,8 @@ configured() { grep -Eq -- "$1" "$tree/build/configured" || { echo "cmake was no
 for word in help --help -h; do check "$word" 0 '^  \./bootstrap demo ' ./bootstrap "$word"; done
 check "no command" 2 '^  \./bootstrap demo ' ./bootstrap
 check "no such command" 2 'no command demmo' ./bootstrap demmo
+check "another word" 2 "demo takes no option or other word, and got gears:4" ./bootstrap demo gears:4
+check "help of a command" 0 "^  \\./bootstrap demo " ./bootstrap test --help
 
 check "size is said" 0 'these are 42 packages: 5 MB to download, 300 MB on the disk' ./bootstrap test
 check "apt is not asked by sudo's environment" 0 'frontend noninteractive: .*install -y .* yosys$' cat build/logs/apt.log
