@@ -13,21 +13,32 @@
 
 namespace {
 
-int make_page(const char* name) {
+/// Prints why the program ends, and returns its exit code.
+int refused(const std::string& why) {
+    std::cerr << "rc_pkg_gen: " << why << "\n";
+    return 2;
+}
+
+int write(const std::string& name, const std::string& text) {
+    std::ofstream file(name);
+    file << text;
+    return file.flush() ? 0 : refused("cannot write " + name);
+}
+
+int make_page(const std::string& name) {
     std::ifstream old(name);
     std::ostringstream text;
     text << old.rdbuf();
-    if (!old) return 1;
-    const std::string made = rayclock::with_tables(text.str());
-    std::ofstream file(name);
-    file << made;
-    return file.flush() ? 0 : 1;
+    return old ? write(name, rayclock::with_tables(text.str())) : refused("cannot read " + name);
 }
 
 }   // namespace
 
 int main(int argc, char** argv) {
     if (argc == 3 && std::string(argv[1]) == "--page") return make_page(argv[2]);
+    const std::string name = argc > 1 ? argv[1] : "-";
+    if (name.rfind("--", 0) == 0)
+        return refused("the words must be FILE CONFIGURATION KEY=VALUE ..., or --page FILE, and not " + name);
     std::string text;
     try {
         rayclock::Config config = rayclock::named_config(argc > 2 ? argv[2] : "default");
@@ -39,14 +50,9 @@ int main(int argc, char** argv) {
         rayclock::check_config(config, "rc_pkg_gen");
         text = rayclock::rc_package(config);
     } catch (const rayclock::UserError& e) {
-        std::cerr << "rc_pkg_gen: " << e.what() << "\n";
-        return 2;
+        return refused(e.what());
     }
-    if (argc < 2 || std::string(argv[1]) == "-") {
-        std::cout << text << std::flush;
-        return std::cout ? 0 : 1;
-    }
-    std::ofstream file(argv[1]);
-    file << text;
-    return file.flush() ? 0 : 1;
+    if (name != "-") return write(name, text);
+    std::cout << text << std::flush;
+    return std::cout ? 0 : refused("cannot write to standard output");
 }
