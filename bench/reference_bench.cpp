@@ -11,7 +11,7 @@
 
 #include "model/scene/builtin.hpp"
 #include "sim/judge/reference/reference.hpp"
-#include "tests/reference/embree_scene.hpp"
+#include "tests/support/scenes/embree_scene.hpp"
 
 namespace {
 

@@ -162,7 +162,7 @@ std::vector<Hit> trace(const Scene& scene, const Config& config, std::span<const
         const StreamInput input = input_of(scene.held().scene, rows);
         std::vector<Hit> hits;
         for (const StreamHit& hit :
-             trace_stream(input, StreamTracer::model, stream_machine(config, input.scene()), threads).hits)
+             trace_stream(input, Tracer::model, stream_machine(config, input.scene()), threads).hits)
             hits.push_back({hit.hit, hit.back, hit.primitive, hit.t, hit.u, hit.v});
         return hits;
     });

@@ -355,7 +355,7 @@ package rc_pkg;
     DecideStalledTrav = 3'd3
   } decide_cause_e;
 
-  // Tables of the shade unit's cells: model/unit/shade/tables.hpp.
+  // Tables of the shade unit's cells: model/fixed/tables.hpp.
   localparam logic [11135:0] InverseRoot = {
     29'h8020080, 29'h8040481, 29'h8060881, 29'h8080c81, 29'h80a1482, 29'h80c1c82, 29'h80e2482, 29'h8103083,
     29'h8123c83, 29'h8144c84, 29'h8165c84, 29'h8187085, 29'h81a8084, 29'h81c9886, 29'h81eac85, 29'h820c486,

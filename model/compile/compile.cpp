@@ -141,9 +141,9 @@ MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Conf
     if (!config.is_list() && !has_cells(config)) {
         const std::vector<LatticeBox> boxes = boxes_of(triangles, config);
         BinaryTree tree =
-            config.has_splits() ? build_split_tree(boxes, triangles, config) : build_tree(boxes);
+            config.has_splits() ? bvh::build_split_tree(boxes, triangles, config) : bvh::build_tree(boxes);
         report_stage(2);
-        optimise_tree(tree);
+        bvh::optimise_tree(tree);
         report_stage(3);
         (config.engine() == Structure::spheres ? emit_globes : emit_boxes)(tree, triangles, config, name,
                                                                            image);

@@ -17,36 +17,36 @@ class Boxes {
 public:
     Boxes(const BinaryTree& tree, const Config& config) : tree_(tree), config_(config) {}
     void clear() { children_.clear(); }
-    void add(const WideChild& child, std::uint32_t primitives) {
+    void add(const bvh::WideChild& child, std::uint32_t primitives) {
         children_.push_back({tree_.nodes[child.node].box, primitives});
     }
-    Node node(std::uint32_t base) const { return encode_node(children_, base, config_); }
+    Node node(std::uint32_t base) const { return bvh::encode_node(children_, base, config_); }
 
 private:
     const BinaryTree& tree_;
     const Config& config_;
-    std::vector<NodeChild> children_;
+    std::vector<bvh::NodeChild> children_;
 };
 
 /// Collects the children of a node and writes it as globes.
 class Globes {
 public:
-    Globes(const GlobesAround& around, const Config& config) : around_(around), config_(config) {}
+    Globes(const spheres::GlobesAround& around, const Config& config) : around_(around), config_(config) {}
     void clear() { children_.clear(); }
-    void add(const WideChild& child, std::uint32_t primitives) {
+    void add(const bvh::WideChild& child, std::uint32_t primitives) {
         children_.push_back({around_[child.node], primitives});
     }
-    GlobeNode node(std::uint32_t base) const { return encode_globes(children_, base, config_); }
+    GlobeNode node(std::uint32_t base) const { return spheres::encode_globes(children_, base, config_); }
 
 private:
-    const GlobesAround& around_;
+    const spheres::GlobesAround& around_;
     const Config& config_;
-    std::vector<GlobeChild> children_;
+    std::vector<spheres::GlobeChild> children_;
 };
 
 template <class Children> class TreeEmitter {
 public:
-    TreeEmitter(const Collapse& collapse, std::uint32_t root, Children children,
+    TreeEmitter(const bvh::Collapse& collapse, std::uint32_t root, Children children,
                 const std::vector<PrimData>& triangles, const Config& config, const std::string& name,
                 MemoryImage& image)
         : root_(root),
@@ -76,12 +76,12 @@ private:
 
     void emit(const Pending& at) {
         collapse_.children(at.node, found_);
-        const auto leaves =
-            std::stable_partition(found_.begin(), found_.end(), [](const WideChild& c) { return !c.leaf; });
+        const auto leaves = std::stable_partition(found_.begin(), found_.end(),
+                                                  [](const bvh::WideChild& c) { return !c.leaf; });
         const auto inner = std::uint32_t(leaves - found_.begin());
         children_.clear();
         content_.clear();
-        for (const WideChild& child : found_) {
+        for (const bvh::WideChild& child : found_) {
             const std::size_t before = content_.size();
             if (child.leaf) {
                 collapse_.boxes(child.node, content_);
@@ -121,13 +121,13 @@ private:
     std::uint32_t root_;
     const std::vector<PrimData>& triangles_;
     const Config& config_;
-    const Collapse& collapse_;
+    const bvh::Collapse& collapse_;
     Children children_;
     const std::string& name_;
     MemoryImage& image_;
     std::vector<Pending> pending_;
     NodeStatistics nodes_written_;
-    std::vector<WideChild> found_;
+    std::vector<bvh::WideChild> found_;
     std::vector<std::uint32_t> content_;   // triangles of the node's leaves
     Words scratch_;
 };
@@ -145,16 +145,17 @@ void check_lines(std::uint64_t lines, const Config& config, const std::string& n
 
 void emit_boxes(const BinaryTree& tree, const std::vector<PrimData>& triangles, const Config& config,
                 const std::string& name, MemoryImage& image) {
-    const Collapse collapse(tree, config);
+    const bvh::Collapse collapse(tree, config);
     TreeEmitter(collapse, tree.root, Boxes(tree, config), triangles, config, name, image).run();
 }
 
 void emit_globes(const BinaryTree& tree, const std::vector<PrimData>& prims, const Config& config,
                  const std::string& name, MemoryImage& image) {
-    const Collapse collapse(tree, config);
-    const GlobesAround around(tree, collapse, [&](std::uint32_t i, std::vector<Bead>& beads) {
-        add_beads(prims[i], config, beads);
-    });
+    const bvh::Collapse collapse(tree, config);
+    const spheres::GlobesAround around(tree, collapse,
+                                       [&](std::uint32_t i, std::vector<spheres::Bead>& beads) {
+                                           spheres::add_beads(prims[i], config, beads);
+                                       });
     TreeEmitter(collapse, tree.root, Globes(around, config), prims, config, name, image).run();
 }
 

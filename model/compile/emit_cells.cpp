@@ -12,8 +12,8 @@ using cells::CellPart;
 
 constexpr std::size_t leaf_most = (1u << count_bits) - 2;   // primitives of an exit
 
-/// Writes a tree of cells. `Line` is the type of a node.
-template <class Line> class CellEmitter {
+/// Writes a tree of cells.
+template <class Engine> class CellEmitter {
 public:
     CellEmitter(const cells::Cell& root, const std::vector<PrimData>& prims, const Config& config,
                 const std::string& name, MemoryImage& image)
@@ -38,7 +38,7 @@ private:
 
     void emit(const Pending& at) {
         const auto width = std::size_t(config_.node_width);
-        Line node;
+        typename Engine::Node node;
         const std::array<CellPart, max_width> exits = exits_.of(at.place, config_.node_width, node);
         std::uint32_t inner = 0;
         std::size_t primitives = 0;
@@ -70,7 +70,7 @@ private:
     const Config& config_;
     const std::string& name_;
     MemoryImage& image_;
-    cells::Exits<Line> exits_{leaf_most};
+    cells::Exits<Engine> exits_{leaf_most};
     std::vector<Pending> pending_;
     NodeStatistics nodes_written_;
     Words scratch_;
@@ -85,7 +85,7 @@ void emit_cells(const std::vector<PrimData>& prims, const Config& config, const 
             cells::Pieces pieces(prims, config);
             pieces.report_to(report);
             const cells::CellPtr root = E::build(pieces, prims, config);
-            CellEmitter<typename E::Node>{*root, prims, config, name, image}.run();
+            CellEmitter<E>{*root, prims, config, name, image}.run();
         }
     });
 }

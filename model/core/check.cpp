@@ -2,6 +2,7 @@
 #include "model/core/parameters.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "model/base/error.hpp"
@@ -33,9 +34,12 @@ void check_range(const Parameter& p, int value, const std::string& where) {
         throw UserError(where + ": " + p.key + " must be a power of two, not " + std::to_string(value));
 }
 
-void check_parameters(const Config& c, const std::string& where) {
-    for (const Parameter& p : parameters()) check_range(p, p.get(c), where);
-    const auto refuse = [&](const std::string& rule) { throw UserError(where + ": " + rule); };
+namespace {
+
+/// Throws UserError with a sentence about a rule that the configuration breaks.
+using Refuse = std::function<void(const std::string& rule)>;
+
+void check_widths(const Config& c, const Refuse& refuse) {
     if (2 * c.coord_bits + c.dir_bits > 62)
         refuse(
             "2 * coord_bits + dir_bits must not exceed 62 (an edge function is one 64-bit integer), and is " +
@@ -54,6 +58,9 @@ void check_parameters(const Config& c, const std::string& where) {
                std::to_string(c.coord_bits + 2) +
                " (then no sheared corner is off by more than a lattice step), and dir_bits is " +
                std::to_string(c.dir_bits));
+}
+
+void check_structures(const Config& c, const Refuse& refuse) {
     const bool boxes_only = (c.is_list() || c.engine() == Structure::bvh) && c.lower_engine() == c.engine();
     if (!boxes_only && c.test() != PrimitiveTest::exact && !c.is_sheared())
         refuse("structure=" + name_of(c.structure) +
@@ -74,6 +81,9 @@ void check_parameters(const Config& c, const std::string& where) {
         refuse(
             "levels=2 needs a structure (not none) and primitive_test=exact: how a ray walks instances is "
             "known of these alone");
+}
+
+void check_optional_units(const Config& c, const Refuse& refuse) {
     const std::pair<const char*, bool> units[] = {{"spheres", c.spheres},
                                                   {"planes", c.planes},
                                                   {"smooth", c.smooth},
@@ -97,10 +107,16 @@ void check_parameters(const Config& c, const std::string& where) {
     if (const int bits = 2 + c.prim_bits + c.t_bits() + 2 * c.uv_bits() + (c.has_homes() ? c.addr_bits : 0);
         c.is_stream() && c.pixel_writes && bits > max_hit_bits)
         refuse("pixel_writes=1 writes hits of 128 bits, and a hit of this chip has " + std::to_string(bits));
+}
+
+void check_board(const Config& c, const Refuse& refuse) {
     if (c.is_board() && (c.pipelines > 1 || c.dram_channels > 1))
         refuse("dram=board needs pipelines=1 and dram_channels=1");
     if (c.is_board() && (c.is_stream() || !c.scan_out || !c.pixel_writes))
         refuse("dram=board needs source=camera, scan_out=1 and pixel_writes=1: the board has a screen");
+}
+
+void check_shading(const Config& c, const Refuse& refuse) {
     if (c.panes > 0 && !(c.planes && c.refraction))
         refuse("panes=" + std::to_string(c.panes) + " needs planes=1 and refraction=1");
     if (c.horizon && (!c.planes || c.origin_bits < far_drop))
@@ -124,6 +140,18 @@ void check_parameters(const Config& c, const std::string& where) {
     if (c.planes && c.dir_bits > c.origin_width())
         refuse("planes=1 needs dir_bits of at most coord_bits + origin_bits, " +
                std::to_string(c.origin_width()) + ", and dir_bits is " + std::to_string(c.dir_bits));
+}
+
+}   // namespace
+
+void check_parameters(const Config& c, const std::string& where) {
+    for (const Parameter& p : parameters()) check_range(p, p.get(c), where);
+    const Refuse refuse = [&](const std::string& rule) { throw UserError(where + ": " + rule); };
+    check_widths(c, refuse);
+    check_structures(c, refuse);
+    check_optional_units(c, refuse);
+    check_board(c, refuse);
+    check_shading(c, refuse);
     if (c.t_bits() > 31) refuse("coord_bits + 2 + t_frac_bits must not exceed 31");
 }
 

@@ -39,7 +39,7 @@ inline std::vector<std::string> words_of(std::string_view list) {
         return names;                                                         \
     }
 
-/// Ray-triangle tests: model/unit/tri/primitive.hpp.
+/// Ray-triangle tests: model/unit/tri/tri_test.hpp.
 RAYCLOCK_CHOICE(PrimitiveTest, exact, sheared, unit24, moller, woop, truncated)
 
 // Structures of nodes: boxes (engine/bvh), space cut by axis-parallel planes (engine/kd), cells cut in the

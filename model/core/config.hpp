@@ -45,7 +45,7 @@ constexpr int plane_bits = 12;   ///< whole bits of a plane's u and v
 /// lies at most 2^(N-1+light_reach) steps away on each axis, so its distance is below 2^(N+8). t only reaches
 /// 2^(N+2).
 constexpr int far_path_bits = light_reach - 2;
-/// Steps in which a distant ray finds the lattice: model/unit/shade/approach.hpp.
+/// Steps in which a distant ray finds the lattice: model/unit/shade/light/approach.hpp.
 constexpr int approach_steps = 12;
 constexpr int max_lights = 64;         ///< maximum of Config::lights, and of a scene's lights
 constexpr int light_number_bits = 7;   ///< of 0 ... max_lights
@@ -62,7 +62,7 @@ constexpr int level_frac = 6;     ///< fraction bits of a texture's level and of
 constexpr int level_bits = 14;    ///< such a logarithm, signed
 constexpr int hole_bits = 6;      ///< counter of the holes that a ray has passed since its last bounce
 constexpr int length_bits = 7;    ///< fraction bits of a direction's length in a path's length
-constexpr int unit_stages = 8;    ///< latency of rtl/fixed/rc_unit.sv
+constexpr int unit_stages = 8;    ///< latency of rtl/fixed/rc_unit_vector.sv
 constexpr int power_stages = 7;   ///< latency of rc_power.sv
 
 /// Bits that a point of a plane beyond the lattice loses as a ray's origin: O' in docs/proofs/origins.md.

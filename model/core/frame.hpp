@@ -27,7 +27,7 @@ constexpr std::uint32_t reach_of(RayKind kind, const Config& config) {
                                    : (1u << config.t_bits()) - 1;
 }
 
-/// Middle of the range of errors of the logarithm of a path's length: path_to() in model/unit/shade/surf.hpp.
+/// Middle of the error range of a path length's logarithm: path_to() in model/unit/shade/surface/surf.hpp.
 constexpr double length_bias = 0.057;
 
 /// Registers of a frame for a chip that shades.

@@ -14,8 +14,10 @@
 // - children(): the places of a node's children in memory;
 // - answer(): the unit's answer to a request, for tests and tools that look at the unit alone;
 // - has_cells: true if its builder makes cells (cells/cell.hpp), which the compiler writes as lines. Then
-//   build() returns the cells of a scene. Next to the descriptor, put() writes a plane of a cell into a node,
-//   and put_none() a missing plane.
+//   build() returns the cells of a scene, put() writes a plane of a cell into a node, and put_none() a
+//   missing plane.
+// It is the struct Engine in the engine's namespace, which has the name of the engine's folder and also holds
+// the builder. Node, request and decision are in rayclock, as all payloads and functions of units are.
 #include <algorithm>
 #include <array>
 #include <tuple>
@@ -29,12 +31,12 @@
 namespace rayclock {
 
 // Columns: the structure, its node unit, the descriptor. `with` is passed on.
-#define RAYCLOCK_ENGINES(ENGINE, with)           \
-    ENGINE(with, bvh, box, engine::Bvh)          \
-    ENGINE(with, kd, treelet, engine::Kd)        \
-    ENGINE(with, spheres, globe, engine::Globes) \
-    ENGINE(with, bih, bih, engine::Bih)          \
-    ENGINE(with, bsp, slant, engine::Bsp)
+#define RAYCLOCK_ENGINES(ENGINE, with)            \
+    ENGINE(with, bvh, box, bvh::Engine)           \
+    ENGINE(with, kd, treelet, kd::Engine)         \
+    ENGINE(with, spheres, globe, spheres::Engine) \
+    ENGINE(with, bih, bih, bih::Engine)           \
+    ENGINE(with, bsp, slant, bsp::Engine)
 
 #define RAYCLOCK_CHECK(with, tree, unit, Engine) static_assert(Engine::structure == Structure::tree);
 RAYCLOCK_ENGINES(RAYCLOCK_CHECK, )
@@ -52,7 +54,7 @@ template <class Work> decltype(auto) with_engine(Structure engine, Work&& work) 
     case Structure::structure: return work(Engine{});
         RAYCLOCK_ENGINES(RAYCLOCK_CASE, )
 #undef RAYCLOCK_CASE
-        default: return work(engine::Bvh{});
+        default: return work(bvh::Engine{});
     }
 }
 /// Calls `work` with every descriptor.

@@ -170,10 +170,16 @@ void Pipeline::clock_shade(const Moves& m, std::uint64_t now, std::size_t c) {
     const bool placed = came.fires & m.placing;
     if (placed) next(came.ray);
     shade_.clock<levels, feed == RayFeed::textured, plain>(
-        now, closest, fetch, {bool(came.fires & !m.placing), came.ray}, {placed, came.ray},
-        m[Link::surf_req].fires, m[Link::spawn].fires, m[Link::hit].fires,
-        feed == RayFeed::textured ? LinkRay(m[Link::tex_rsp]) : LinkRay{},
-        feed == RayFeed::textured && m[Link::tex_req].fires,
+        now,
+        {.closest = closest,
+         .fetch = fetch,
+         .surface = {bool(came.fires & !m.placing), came.ray},
+         .place = {placed, came.ray},
+         .textured = feed == RayFeed::textured ? LinkRay(m[Link::tex_rsp]) : LinkRay{},
+         .surf_taken = bool(m[Link::surf_req].fires),
+         .spawn_taken = bool(m[Link::spawn].fires),
+         .pixel_taken = bool(m[Link::hit].fires),
+         .texture_taken = feed == RayFeed::textured && m[Link::tex_req].fires},
         [this](std::uint32_t ray) { return turn_of<feed, levels>(ray); });
 }
 #define RC_INSTANCE(feed, levels)                                                                            \

@@ -11,7 +11,7 @@ namespace rayclock {
 struct InsideRay {
     Change change;
     RayForms forms;
-    Ray moved{};   ///< the ray in the form of test_primitive()
+    Ray moved{};   ///< the ray in the form of any_primitive_test()
     WideNode entry;
     bool enters = false;   ///< the line read last is an instance
 

@@ -7,7 +7,7 @@
 #include "model/engine/bvh/slab.hpp"
 #include "model/trace/trace.hpp"
 #include "model/trace/tree_walk.hpp"
-#include "model/unit/tri/test_primitive.hpp"
+#include "model/unit/tri/any_primitive.hpp"
 #include "model/unit/tri/tri.hpp"
 #include "model/unit/raygen/raygen.hpp"
 

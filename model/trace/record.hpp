@@ -7,7 +7,7 @@
 #include "model/trace/line_cache.hpp"
 #include "model/trace/walk.hpp"
 #include "model/unit/tri/facet.hpp"
-#include "model/unit/tri/primitive.hpp"
+#include "model/unit/tri/tri_test.hpp"
 #include "model/unit/trav/stack.hpp"
 
 namespace rayclock {

@@ -99,13 +99,13 @@ struct FromAnywhere {
           hit({from.ray, from.kind, from.holes}, reach_of(from.kind, config)) {}
     RAYCLOCK_INLINE const WideNode& boxes(std::uint32_t line, std::uint32_t* t_near,
                                           std::uint32_t& hits) const {
-        const WideNode& node = decoder.node<engine::Bvh>(line);
+        const WideNode& node = decoder.node<bvh::Engine>(line);
         hits = slab_test(ray, node, std::uint32_t(config.node_width), t_near);
         return node;
     }
     RAYCLOCK_INLINE void test(std::uint32_t half_line) {
         TriRsp rsp;
-        test_primitive(from, decoder.prim(half_line), hit.best(), config, rsp);
+        any_primitive_test(from, decoder.prim(half_line), hit.best(), config, rsp);
         hit.take(rsp);
     }
     RAYCLOCK_INLINE std::uint32_t t() const { return hit.t(); }

@@ -3,8 +3,8 @@
 #include "model/trace/decoder.hpp"
 #include "model/trace/inside.hpp"
 #include "model/trace/tree_walk.hpp"
-#include "model/unit/tri/primitive.hpp"
-#include "model/unit/tri/test_primitive.hpp"
+#include "model/unit/tri/tri_test.hpp"
+#include "model/unit/tri/any_primitive.hpp"
 
 namespace rayclock {
 
@@ -62,9 +62,9 @@ struct UnitPolicy {
     void test(std::uint32_t half_line) {
         tri.ray = ray.ray;
         if (config.has_homes())
-            test_primitive(inside.moved, primitive(half_line), hit.best(), config, tri);
+            any_primitive_test(inside.moved, primitive(half_line), hit.best(), config, tri);
         else if (config.shading)
-            test_primitive(ray, decoder.prim(half_line), hit.best(), config, tri);
+            any_primitive_test(ray, decoder.prim(half_line), hit.best(), config, tri);
         else if (config.has_instances())
             primitive_test(o(), d(), primitive(half_line), hit.best(), config, tri);
         else

@@ -40,7 +40,7 @@ struct FrameOptions {
     Finish finish;
     ViewChoice view;
     FramesOptions frames;
-    std::string engine = "model";
+    Tracer tracer = Tracer::model;
     bool is_compared = true;
 };
 

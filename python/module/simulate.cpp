@@ -54,18 +54,17 @@ PyFrame simulated(const PyScene& scene, const PyConfig& config, const FrameOptio
         Request request =
             request_of(scene.source(stop), config.choice, o.finish, seed, o.size, o.view, made.notes);
         const Config machine = request.config;
-        if (o.engine == "rtl") check_rtl(machine);
+        if (o.tracer == Tracer::rtl) check_rtl(machine);
         const std::vector<int> clocks = clocks_of(clock, machine);
         Film film(std::move(request), o.frames, o.view.is_given(), o.size, stop);
         const SimulateInput work{film, o.size, clocks};
-        const SimulateSettings how{o.engine == "model",
-                                   traffic_of(seed, jitter, stall),
-                                   seed,
-                                   o.is_compared,
-                                   is_judged,
-                                   threads,
-                                   o.frames.pan,
-                                   ""};
+        const SimulateSettings how{.tracer = o.tracer,
+                                   .traffic = traffic_of(seed, jitter, stall),
+                                   .seed = seed,
+                                   .is_compared = o.is_compared,
+                                   .is_judged = is_judged,
+                                   .threads = threads,
+                                   .pan = o.frames.pan};
         SimulateResult s = run_simulation(how, work, stop);
         if (how.is_compared) compare_frames(s, how, work, stop);
         made.json = simulation_json(how, work, s, Limits{}, totals_of(s)).dump();
@@ -83,11 +82,11 @@ PyStream traced(const PyScene& scene, const PyConfig& config, const py::array& a
     return result_of(
         [=](const Progress& stop) {
             PyStream made;
-            const StreamTracer asked = parse_stream_tracer(engine);
+            const Tracer tracer = parse_tracer(engine);
             const StreamInput input = rays.with(scene, config, stop);
             const Config machine = stream_config(config.choice, input.scene(), made.notes);
-            if (asked == StreamTracer::rtl) check_rtl(machine);
-            const StreamAnswers answers = trace_stream(input, asked, machine, threads, stop);
+            if (tracer == Tracer::rtl) check_rtl(machine);
+            const StreamAnswers answers = trace_stream(input, tracer, machine, threads, stop);
             made.hits = hits_npy(answers.hits, {});
             made.notes.insert(made.notes.end(), answers.notes.begin(), answers.notes.end());
             return made;
@@ -155,7 +154,7 @@ void bind_simulate(py::module_& module) {
     py::class_<FrameOptions>(module, "FrameOptions")
         .def(py::init([](int width, int height, const Finish& finish, const ViewChoice& view,
                          const FramesOptions& frames, const std::string& engine, bool is_compared) {
-            return FrameOptions{{width, height}, finish, view, frames, engine, is_compared};
+            return FrameOptions{{width, height}, finish, view, frames, parse_machine(engine), is_compared};
         }));
     py::class_<PyFrame>(module, "SimulatedFrame")
         .def_readonly("json", &PyFrame::json)

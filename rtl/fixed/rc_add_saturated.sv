@@ -1,5 +1,5 @@
 // Sum of two values of 0 to 1, saturated at 1. A value is U1.16 (rc_pkg::ValueBits). Combinational.
-// Model: add() in model/unit/shade/pass.cpp.
+// Model: add() in model/unit/shade/pass/pass.cpp.
 `default_nettype none
 module rc_add_saturated #(
   localparam int unsigned ValueBits = rc_pkg::ValueBits,

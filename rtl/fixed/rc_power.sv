@@ -3,7 +3,7 @@
 //
 // Latency: rc_pkg::PowerStages stages of Every cycles; one power per Every cycles; no stall. The
 // user holds operands for Every cycles. A stage works only if valid_i came with them in its first
-// cycle. Model and error bounds: model/unit/shade/power.hpp.
+// cycle. Model and error bounds: model/fixed/power.hpp.
 `default_nettype none
 module rc_power #(
   parameter int unsigned Every = rc_pkg::ShadeInterval

@@ -79,10 +79,10 @@ struct LoadedBoard {
 
 int load_scene_on_board(const BoardOptions& o) {
     const Progress progress = stopping(terminal_progress());
-    BoardAsk ask = ask_of(o, progress);
-    const std::string name = ask.request.scene.name;
-    BoardSession session(o, ask.request.config, ask.khz, std::move(ask.port));
-    Film film(std::move(ask.request), o.frames, o.view.is_given(), ask.size, progress);
+    BoardRequest asked = board_request(o, progress);
+    const std::string name = asked.request.scene.name;
+    BoardSession session(o, asked.request.config, asked.khz, std::move(asked.port));
+    Film film(std::move(asked.request), o.frames, o.view.is_given(), asked.size, progress);
     if (film.frames() > 1)
         throw UserError("--frames: load writes the scene of one frame; check draws the frames of a film");
     film.next();

@@ -12,7 +12,7 @@
 #include "sim/files/process/process.hpp"
 #include "sim/files/process/tools.hpp"
 #include "sim/load/import/assimp.hpp"
-#include "sim/run/film/strip.hpp"
+#include "sim/run/film/make_film.hpp"
 #include "sim/run/rtl/builder.hpp"
 #include "sim/silicon/chip/nextpnr.hpp"
 #include "sim/silicon/synth/yosys.hpp"

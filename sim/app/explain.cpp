@@ -100,14 +100,14 @@ int run_explain_ray(const ExplainOptions& o) {
 }
 
 int run_explain(const ExplainOptions& o) {
-    if (traces_stream(
-            o.stream,
-            {o.size,
-             o.finish,
-             o.view,
-             o.frames,
-             o.limits,
-             {{!o.pixel.empty(), "PIXEL"}, {o.no_reference, "--no-reference"}, {o.no_judge, "--no-judge"}}}))
+    if (traces_stream(o.stream, {.size = o.size,
+                                 .finish = o.finish,
+                                 .view = o.view,
+                                 .frames = o.frames,
+                                 .limits = o.limits,
+                                 .own = {{!o.pixel.empty(), "PIXEL"},
+                                         {o.no_reference, "--no-reference"},
+                                         {o.no_judge, "--no-judge"}}}))
         return run_explain_ray(o);
     if (o.ray) throw UserError("--ray needs --rays, a stream of rays");
     if (o.pixel.empty()) throw UserError("PIXEL is required ('rayclock explain --help' tells more)");

@@ -87,9 +87,9 @@ std::string goal_text(const Goal& b) {
 }
 
 /// Returns one sentence: the best error reached, the cause of the scene's size, and a remedy.
-std::string hopeless(const FitOptions& o, const Goal& goal, const Config& base, Measure& measure,
+std::string hopeless(const FitOptions& o, const Goal& goal, const Config& base, Measurer& measure,
                      const Config& closest) {
-    const Outcome& best = measure(closest);
+    const Measurement& best = measure(closest);
     std::string sentence = fmt::format("{}: no width keeps the bound; N = {} and M = {} come closest, ",
                                        printable(o.scene), closest.coord_bits, closest.dir_bits);
     if (!best.refused.empty())
@@ -104,7 +104,7 @@ std::string hopeless(const FitOptions& o, const Goal& goal, const Config& base, 
     sentence += fmt::format(
         "; because of {} the scene is {} times as large as the rest", part->what,
         part->ratio < 100 ? fmt::format("{:.1f}", part->ratio) : grouped(std::uint64_t(part->ratio)));
-    Measure rest(part->without, measure.size(), o.threads, measure.choice());
+    Measurer rest(part->without, measure.size(), o.threads, measure.choice());
     rest.on_measured = measure.on_measured;
     const std::optional<int> bits = Search(rest, base, goal).smallest_coord_bits();
     return sentence + (bits ? fmt::format(", and without that N = {} would do", *bits)
@@ -150,7 +150,7 @@ struct FitResult {
 };
 
 void print(const FitOptions& o, const FitResult& f) {
-    const Outcome& result = f.fit.outcome;
+    const Measurement& result = f.fit.outcome;
     fmt::print("{}, {}, {}x{}: {}\n\n", f.scene.name, primitives_text(f.scene), f.size.width, f.size.height,
                goal_text(f.goal));
     fmt::print("{}\n{}\n", parameter_table(f.fit, f.base),
@@ -197,7 +197,7 @@ nlohmann::ordered_json json_of(const FitResult& f) {
 }
 
 /// Runs the search. If it finds nothing, throws with a sentence.
-Fit search_for(const FitOptions& o, const Goal& goal, const Config& base, Measure& measure,
+Fit search_for(const FitOptions& o, const Goal& goal, const Config& base, Measurer& measure,
                const Progress& progress) {
     measure.on_measured = [&](const Config& c, std::size_t done) {
         constexpr std::size_t expected = 40;
@@ -234,7 +234,7 @@ int run_fit(const FitOptions& o) {
     if (!base.is_bvh())
         throw UserError("fit: structure must be bvh, not " + name_of(base.structure) +
                         ": fit searches the widths of boxes");
-    Measure measure(scene, size, o.threads, picture);
+    Measurer measure(scene, size, o.threads, picture);
     Fit fit = search_for(o, goal, base, measure, progress);
     fit.config.name = printable(name_of(o.scene), 80);
     std::optional<DeviceFit> device;

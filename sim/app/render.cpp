@@ -1,4 +1,4 @@
-// rayclock render: renders a picture, or answers a stream of rays, with one engine.
+// rayclock render: renders a picture, or answers a stream of rays, with the reference, the model or the RTL.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -14,9 +14,10 @@
 #include "sim/app/run/picture_folder.hpp"
 #include "sim/files/image/image.hpp"
 #include "sim/files/process/stopping.hpp"
-#include "sim/run/film/strip.hpp"
+#include "sim/run/film/make_film.hpp"
 #include "sim/run/frame/frame.hpp"
 #include "sim/run/request/reference_picture.hpp"
+#include "sim/run/request/tracer.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/tables.hpp"
 #include "sim/view/report/text.hpp"
@@ -35,7 +36,7 @@ std::uint64_t digest_of(const HitFrame& frame) {
 }
 
 struct RenderOptions {
-    std::string scene, size = default_size, engine = "model", output;
+    std::string scene, size = default_size, tracer = name_of(Tracer::model), output;
     ConfigChoice config;
     Finish finish;
     ViewChoice view;
@@ -53,7 +54,7 @@ void declare_render(Parser& parser, RenderOptions& o) {
     view_options(parser, o.view);
     size_option(parser, o.size);
     config_options(parser, o.config);
-    parser.option("--engine", o.engine, "reference, model or rtl").with_default();
+    parser.option("--engine", o.tracer, "reference, model or rtl").with_default();
     frames_options(parser, o.frames);
     parser.option(
         "-o,--output", o.output,
@@ -87,8 +88,8 @@ RenderResult draw_reference(const Request& request, FrameSize size, int threads,
 }
 
 /// Renders the current frame.
-RenderResult draw_machine(const Request& request, const Job& job, bool is_rtl, const Progress& progress) {
-    FrameResult run = is_rtl ? run_rtl(job, {}, progress) : run_model(job, {}, progress);
+RenderResult draw_machine(const Request& request, const Job& job, Tracer tracer, const Progress& progress) {
+    FrameResult run = tracer == Tracer::rtl ? run_rtl(job, {}, progress) : run_model(job, {}, progress);
     RenderResult drawn;
     drawn.picture = request.finished ? picture_from_colours(job.size, run.colours)
                                      : shade(request.scene, run.hits, progress);
@@ -99,11 +100,11 @@ RenderResult draw_machine(const Request& request, const Job& job, bool is_rtl, c
     return drawn;
 }
 
-RenderResult draw_next(const RenderOptions& o, Film& film, FrameSize size, const Progress& progress) {
+RenderResult draw_next(Tracer tracer, Film& film, FrameSize size, int threads, const Progress& progress) {
     film.next();
     const Request& request = film.request();
-    return o.engine == "reference" ? draw_reference(request, size, o.threads, progress)
-                                   : draw_machine(request, film.job(), o.engine == "rtl", progress);
+    return tracer == Tracer::reference ? draw_reference(request, size, threads, progress)
+                                       : draw_machine(request, film.job(), tracer, progress);
 }
 
 /// Errors of the pictures against the reference.
@@ -126,12 +127,12 @@ struct PictureComparison {
 };
 
 /// Renders numbered pictures, each as if it were the only one, and joins them to a film.
-std::string draw_all(const RenderOptions& o, Film& film, FrameSize size, const Progress& progress,
-                     PictureComparison& comparison, nlohmann::ordered_json& json) {
+std::string draw_all(const RenderOptions& o, Tracer tracer, Film& film, FrameSize size,
+                     const Progress& progress, PictureComparison& comparison, nlohmann::ordered_json& json) {
     nlohmann::ordered_json digests = nlohmann::ordered_json::array();
     StagedFiles staged(o.output);
     for (std::size_t f = 0; f < film.frames(); ++f) {
-        const RenderResult drawn = draw_next(o, film, size, progress);
+        const RenderResult drawn = draw_next(tracer, film, size, o.threads, progress);
         stop_if_interrupted();
         write_pictures(staged, {{frame_name(f), drawn.picture, drawn.hits}});
         digests.push_back(drawn.json.at("digest"));
@@ -141,15 +142,15 @@ std::string draw_all(const RenderOptions& o, Film& film, FrameSize size, const P
     return make_film(staged, o.output, film.frames(), film.times().fps);
 }
 
-/// Answers a stream of rays with one engine. The answers have no timing.
+/// Answers a stream of rays with one tracer. The answers have no timing.
 int render_stream(const RenderOptions& o) {
-    const StreamTracer tracer = parse_stream_tracer(o.engine);
+    const Tracer tracer = parse_tracer(o.tracer);
     if (!o.stream.hits) throw UserError("--rays needs --hits, the .npy file for each ray's hit");
     check_hits(o.stream, o.json);
     o.json.check();
     const Progress progress = stopping(terminal_progress());
     const StreamRequest request = stream_request(o.scene, o.config, o.stream, progress);
-    if (tracer == StreamTracer::rtl) check_rtl(request.config);
+    if (tracer == Tracer::rtl) check_rtl(request.config);
     const StreamInput& input = *request.input;
     const Stopwatch watch;
     const StreamAnswers traced = trace_stream(input, tracer, request.config, o.threads, progress);
@@ -163,36 +164,35 @@ int render_stream(const RenderOptions& o) {
     if (!o.json.is_alone())
         fmt::print("{}: {}; {}: {} rays, {} hits, {} -> {}\n", input.scene().name,
                    primitives_text(input.scene()), printable(input.rays().name()), grouped(answers.size()),
-                   grouped(std::uint64_t(hits)), o.engine, printable(*o.stream.hits));
+                   grouped(std::uint64_t(hits)), o.tracer, printable(*o.stream.hits));
     o.json.write({{"scene", scene_json(input.scene())},
                   {"stream", {{"file", input.rays().name()}, {"rays", answers.size()}, {"hits", hits}}},
-                  {"engine", o.engine},
+                  {"engine", o.tracer},
                   {"host", {{"seconds", seconds}}}});
     return 0;
 }
 
 int run_render(const RenderOptions& o) {
-    if (traces_stream(o.stream, {o.size,
-                                 o.finish,
-                                 o.view,
-                                 o.frames,
-                                 o.limits,
-                                 {{!o.output.empty(), "--output"}, {o.compare, "--compare"}}}))
+    if (traces_stream(o.stream, {.size = o.size,
+                                 .finish = o.finish,
+                                 .view = o.view,
+                                 .frames = o.frames,
+                                 .limits = o.limits,
+                                 .own = {{!o.output.empty(), "--output"}, {o.compare, "--compare"}}}))
         return render_stream(o);
     if (o.output.empty()) throw UserError("--output is required ('rayclock render --help' tells more)");
     const FrameSize size = parse_size(o.size);
-    if (o.engine != "reference" && o.engine != "model" && o.engine != "rtl")
-        throw UserError("--engine: " + shown(o.engine) + " is not reference, model or rtl");
-    if (o.compare && o.engine == "reference")
+    const Tracer tracer = parse_tracer(o.tracer);
+    if (o.compare && tracer == Tracer::reference)
         throw UserError("--compare needs --engine model or rtl: it compares with the reference");
     const Limits limits = limits_of(o.limits);
     o.json.check();
     const Progress progress = stopping(terminal_progress());   // shows progress also while the scene loads
     if (!may_be_film(o)) check_picture_path(o.output);
     Request request = request_of(o.scene, o.config, o.finish, default_seed, size, progress, o.view);
-    if (o.engine == "rtl") check_rtl(request.config);
+    if (tracer == Tracer::rtl) check_rtl(request.config);
     const Stopwatch watch;
-    Film film(std::move(request), o.frames, o.view.is_given(), size, progress, o.engine != "reference");
+    Film film(std::move(request), o.frames, o.view.is_given(), size, progress, tracer != Tracer::reference);
     const bool is_film = film.frames() > 1;
     if (is_film)
         check_film_folder(o.output, film.frames());
@@ -202,9 +202,9 @@ int run_render(const RenderOptions& o) {
     std::string said;
     PictureComparison comparison;
     if (is_film) {
-        said = draw_all(o, film, size, progress, comparison, json);
+        said = draw_all(o, tracer, film, size, progress, comparison, json);
     } else {
-        const RenderResult drawn = draw_next(o, film, size, progress);
+        const RenderResult drawn = draw_next(tracer, film, size, o.threads, progress);
         stop_if_interrupted();
         write_picture(o.output, drawn.picture, drawn.hits, interrupted);
         json = drawn.json;
@@ -216,13 +216,13 @@ int run_render(const RenderOptions& o) {
     if (!o.json.is_alone()) {
         const std::string far = far_frames(limits, comparison.errors);
         fmt::print("{}{}: {}, {}x{}, {} -> {}\n{}{}", far.empty() ? "" : far + "\n", scene.name,
-                   primitives_text(scene), size.width, size.height, o.engine, printable(o.output),
+                   primitives_text(scene), size.width, size.height, o.tracer, printable(o.output),
                    said.empty() ? "" : "  " + said + "\n",
                    error ? error_line("against the reference", *error) : "");
     }
     nlohmann::ordered_json report{{"scene", scene_json(scene)},
                                   {"frame", {{"width", size.width}, {"height", size.height}}},
-                                  {"engine", o.engine}};
+                                  {"engine", o.tracer}};
     report.update(json);
     if (error) {
         report["error"] = error_json(error, std::nullopt);
@@ -236,7 +236,7 @@ int run_render(const RenderOptions& o) {
 }   // namespace
 
 Command render_command() {
-    return command("render", "draw a picture with one engine",
+    return command("render", "draw a picture with the reference, the model or the RTL",
                    "rayclock render gears:4 --engine rtl -o gears.png", declare_render, run_render);
 }
 

@@ -19,6 +19,7 @@
 #include "sim/files/output.hpp"
 #include "sim/files/process/stopping.hpp"
 #include "sim/judge/cause/finished.hpp"
+#include "sim/run/request/tracer.hpp"
 #include "sim/view/observe/replay.hpp"
 #include "sim/view/page/frame.hpp"
 #include "sim/view/page/run_page.hpp"
@@ -30,8 +31,10 @@ namespace rayclock {
 
 namespace {
 
+const std::string default_tracer = name_of(Tracer::model);
+
 struct SimulateOptions {
-    std::string scene, size = default_size, clock = default_clocks, engine = "model";
+    std::string scene, size = default_size, clock = default_clocks, tracer = default_tracer;
     ConfigChoice config;
     Finish finish;
     ViewChoice view;
@@ -66,7 +69,7 @@ void declare_simulate(Parser& parser, SimulateOptions& o) {
     pixels_option(parser, o.pixels);
     clock_option(parser, o.clock);
     config_options(parser, o.config);
-    parser.option("--engine", o.engine, "model or rtl").with_default();
+    parser.option("--engine", o.tracer, "model or rtl").with_default();
     frames_options(parser, o.frames);
     parser.flag("--no-reference", o.no_reference, "leave out the comparison with the reference");
     judge_option(parser, o.no_judge);
@@ -182,7 +185,7 @@ void check_sample_options(const SimulateOptions& o) {
         if (is_given) throw UserError(fmt::format("--sample: {}; leave out {}", why, option));
     };
     refuse(o.stream.rays.has_value(), "--rays", "a stream of rays is simulated as a whole");
-    refuse(o.engine != "model", "--engine", "the RTL draws whole frames only");
+    refuse(o.tracer != default_tracer, "--engine", "the RTL draws whole frames only");
     refuse(o.frames.uploads == "double", "--uploads double",
            "the host writes between sampled frames, and not during them");
     refuse(!o.report.empty(), "--report", "a sample draws no picture for the page");
@@ -221,24 +224,29 @@ int run_simulate_sample(const SimulateOptions& o) {
 
 int run_simulate(const SimulateOptions& o) {
     if (o.sample.is_given()) return run_simulate_sample(o);
-    if (traces_stream(o.stream, {o.size,
-                                 o.finish,
-                                 o.view,
-                                 o.frames,
-                                 o.limits,
-                                 {{!o.output.empty(), "--output"},
-                                  {o.pixels.has_value(), "--pixels"},
-                                  {o.engine != "model", "--engine"},
-                                  {!o.report.empty(), "--report"},
-                                  {o.no_reference, "--no-reference"}}}))
-        return simulate_stream(
-            {o.scene, o.clock, o.config, o.stream, o.traffic, o.no_judge, o.threads, o.json});
+    if (traces_stream(o.stream, {.size = o.size,
+                                 .finish = o.finish,
+                                 .view = o.view,
+                                 .frames = o.frames,
+                                 .limits = o.limits,
+                                 .own = {{!o.output.empty(), "--output"},
+                                         {o.pixels.has_value(), "--pixels"},
+                                         {o.tracer != default_tracer, "--engine"},
+                                         {!o.report.empty(), "--report"},
+                                         {o.no_reference, "--no-reference"}}}))
+        return simulate_stream({.scene = o.scene,
+                                .clock = o.clock,
+                                .config = o.config,
+                                .stream = o.stream,
+                                .traffic = o.traffic,
+                                .no_judge = o.no_judge,
+                                .threads = o.threads,
+                                .json = o.json});
     const Stopwatch watch;
     ViewChoice view = o.view;
     const FrameSize size = parse_part(o.size, o.pixels, view);
     check_clocks(o.clock);
-    if (o.engine != "model" && o.engine != "rtl")
-        throw UserError("--engine: " + shown(o.engine) + " is not model or rtl");
+    const Tracer tracer = parse_machine(o.tracer);
     const Traffic traffic = traffic_of(o.traffic);
     const Limits limits = limits_of(o.limits);
     o.json.check();
@@ -251,13 +259,19 @@ int run_simulate(const SimulateOptions& o) {
     const Progress stop = stopping(progress);
     Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stop, view);
     const Config config = request.config;
-    if (o.engine == "rtl") check_rtl(config);
+    if (tracer == Tracer::rtl) check_rtl(config);
     const std::vector<int> clocks = clocks_of(o.clock, config);
     Film film(std::move(request), o.frames, o.view.is_given(), size, stop);
     if (!o.output.empty() && film.frames() > 1 && film.moves()) check_film_folder(o.output, film.frames());
     const SimulateInput work{film, size, clocks};
-    const SimulateSettings how{o.engine == "model", traffic,   o.traffic.seed, !o.no_reference,
-                               !o.no_judge,         o.threads, o.frames.pan,   o.output};
+    const SimulateSettings how{.tracer = tracer,
+                               .traffic = traffic,
+                               .seed = o.traffic.seed,
+                               .is_compared = !o.no_reference,
+                               .is_judged = !o.no_judge,
+                               .threads = o.threads,
+                               .pan = o.frames.pan,
+                               .folder = o.output};
     SimulateResult simulated = run_simulation(how, work, progress);
     if (how.is_compared && !simulated.partial) compare_frames(simulated, how, work, stop);
     const double seconds = watch.seconds();

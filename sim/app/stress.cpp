@@ -201,7 +201,7 @@ int run_stress(const StressOptions& typed) {
     o.json.check();
     if (!o.output.empty()) check_writable(o.output);
     if (!plan.state.empty()) check_replaceable(plan.state);
-    const stress::Outcome outcome = stress::run(plan, terminal_progress());
+    const stress::StressResult outcome = stress::run(plan, terminal_progress());
     if (!o.json.is_alone()) fmt::print("{}", stress::text(plan, outcome));
     o.json.write(stress::json(plan, outcome));
     if (outcome.partial) return 1;

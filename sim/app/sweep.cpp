@@ -86,8 +86,12 @@ std::optional<sample::Ask> sample_of(const SweepOptions& o) {
 
 int run_sweep_command(const SweepOptions& o) {
     const std::optional<sample::Ask> sample = sample_of(o);
-    const bool is_stream =
-        traces_stream(o.stream, {o.size, o.finish, o.view, o.frames, o.outputs.limits, {}});
+    const bool is_stream = traces_stream(o.stream, {.size = o.size,
+                                                    .finish = o.finish,
+                                                    .view = o.view,
+                                                    .frames = o.frames,
+                                                    .limits = o.outputs.limits,
+                                                    .own = {}});
     sweep::parse_cost(o.cost);   // refused before the scene is loaded
     const sweep::Shard shard = o.shard ? sweep::parse_shard(*o.shard) : sweep::Shard{};
     if (!shard.is_whole() && !o.outputs.json.wanted())
@@ -115,7 +119,7 @@ int run_sweep_command(const SweepOptions& o) {
         {request, is_stream ? FrameSize{0, 0} : size, std::move(axes), o.clock, o.cost, o.cache_bytes, shard,
          !o.no_netlist, o.fresh, o.threads, o.frames, o.view, stream.input.get(), sample},
         progress);
-    const sweep::Outcome& outcome = run.swept.outcome;
+    const sweep::Evaluation& outcome = run.swept.outcome;
 
     std::string how = fmt::format("{} points from {} traces, {} of them known before", outcome.results.size(),
                                   outcome.traces, outcome.known);

@@ -77,7 +77,7 @@ void declare_verify(Parser& parser, VerifyOptions& o) {
     judge_option(parser, o.no_judge);
     limits_options(parser, o.limits);
     parser.option("-o,--output", o.output,
-                  "folder for the pictures of the three engines and their difference");
+                  "folder for the pictures of reference, model and RTL and their difference");
     parser.flag("--no-wave", o.no_wave,
                 "make no waveform and page of the first divergence; without this they are written to the "
                 "folder of -o, or to the current one");
@@ -105,7 +105,7 @@ GoldenResult golden_result(const std::string& spec, const Scene& scene, const Co
 PixelRect pixels_of_cycles(const VerifyOptions& o, Film film, CycleRange range, int khz, Traffic traffic,
                            const Progress& progress) {
     std::vector<RecordedFrame> traces;
-    record_film(film, {o.threads, {}, false}, stopping(progress), traces);
+    record_film(film, {.threads = o.threads}, stopping(progress), traces);
     const FrameCosts costs = observe(film.request().config, khz, traces, traffic, 0, nullptr, progress);
     if (costs.partial) throw Interrupted("interrupted: nothing was compared");
     if (range.first >= costs.cycles)
@@ -117,7 +117,7 @@ PixelRect pixels_of_cycles(const VerifyOptions& o, Film film, CycleRange range, 
     return rect;
 }
 
-/// The pictures of all engines.
+/// The pictures of reference, model and RTL.
 struct Pictures {
     ReferencePicture reference;
     Picture model, rtl;
@@ -176,10 +176,14 @@ struct VerifyResult {
 
 DivergedRun diverged(const VerifyOptions& o, const VerifyPlan& work, Traffic traffic, const VerifyResult& v,
                      const Divergence& first) {
-    return {v.job,          v.traces,
-            traffic,        int(o.traffic.seed),
-            first,          work.request().scene.name,
-            command_line(), o.elastic.is_given()};
+    return {.job = v.job,
+            .frames = v.traces,
+            .traffic = traffic,
+            .seed = int(o.traffic.seed),
+            .first = first,
+            .scene = work.request().scene.name,
+            .command = command_line(),
+            .is_elastic = o.elastic.is_given()};
 }
 
 /// Repeats diverging machines to record a waveform, before they continue. An error here must not hide the
@@ -198,7 +202,8 @@ void capture_first(const VerifyOptions& o, const DivergedRun& diverged, VerifyRe
 VerifyResult run_machines(const VerifyOptions& o, const VerifyPlan& work, Traffic traffic,
                           const Stopwatch& watch, const Progress& progress) {
     VerifyResult v;
-    v.strip = record_film(work.film, {o.threads, o.output, true}, stopping(progress), v.traces);
+    v.strip = record_film(work.film, {.threads = o.threads, .folder = o.output, .compares = true},
+                          stopping(progress), v.traces);
     const Request& request = work.request();
     // The lockstep has one thread: the reference works at the same time, and Ctrl-C ends both.
     auto reference = std::async(std::launch::async, [&] {
@@ -341,9 +346,8 @@ nlohmann::ordered_json json_of(const VerifyOptions& o, const VerifyPlan& work, c
             {"digest", digest_text(frame.digest)}};
 }
 
-int run_verify(const VerifyOptions& typed) {
-    VerifyOptions o = typed;
-    take_elastic(o.elastic, o.scene);
+/// Throws UserError if an option was given that has no meaning for the torture set, or for one unit alone.
+void check_options(const VerifyOptions& o) {
     if (o.torture && (o.pixels || o.cycles))
         throw UserError(fmt::format("--torture runs frames of its own, so {} has no meaning here",
                                     o.pixels ? "--pixels" : "--cycles"));
@@ -362,71 +366,44 @@ int run_verify(const VerifyOptions& typed) {
                               : o.traffic.jitter > 0 ? "--jitter"
                               : o.traffic.stall > 0  ? "--stall"
                                                      : nullptr);
-    if (traces_stream(o.stream, {o.size,
-                                 o.finish,
-                                 o.view,
-                                 o.frames,
-                                 o.limits,
-                                 {{!o.output.empty(), "--output"},
-                                  {o.torture, "--torture"},
-                                  {bool(o.elastic.alone), "--unit-only"},
-                                  {o.netlist, "--netlist"},
-                                  {o.no_wave, "--no-wave"},
-                                  {o.pixels.has_value(), "--pixels"},
-                                  {o.cycles.has_value(), "--cycles"}}})) {
-        if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
-        return verify_stream({o.scene, o.clock, o.config, o.stream, o.traffic, o.no_judge, o.threads, o.json,
-                              o.elastic.units});
-    }
-    if (o.netlist) build_netlists();
-    if (o.torture) return run_torture_set(o.json);
-    if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
-    const Stopwatch watch;
-    if (o.pixels && o.cycles)
-        throw UserError("--pixels and --cycles both choose a part of the picture: give one");
-    const std::optional<CycleRange> cycles = o.cycles ? std::optional(parse_cycles(*o.cycles)) : std::nullopt;
-    ViewChoice view = o.view;
-    FrameSize size = parse_part(o.size, o.pixels, view);
-    const std::vector<int> clocks = parse_clocks(o.clock);
-    const Traffic traffic = traffic_of(o.traffic);
-    o.json.check();
-    const Limits limits = limits_of(o.limits);
-    const Progress progress = terminal_progress();
-    const Progress stop = stopping(progress);
-    Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stop, view);
-    const Config config = request.config;
-    check_rtl(config);
-    if (o.elastic.is_given()) parse_free_units(*o.elastic.units, config);   // refuses a wrong list early
-    if (!o.output.empty())
-        check_picture_folder(o.output, {"reference.png", "model.png", "rtl.png", "difference.png"});
-    if (!o.output.empty() && !o.no_wave) check_divergence_folder(o.output);
-    o.frames = settled_frames(o.frames, request.scene);
-    const auto check_film = [&](const Film& film) {
-        if (!o.output.empty() && film.frames() > 1 && film.moves())
-            check_film_folder(o.output, film.frames());
-    };
-    if (cycles) {
-        Film whole(request, o.frames, o.view.is_given(), size, stop);
-        check_film(whole);
-        const PixelRect rect = pixels_of_cycles(o, std::move(whole), *cycles, clocks[0], traffic, progress);
-        request.scene.camera->window = PictureWindow{rect.x, rect.y, size.width, size.height};
-        size = rect.size;
-    }
-    Film film(std::move(request), o.frames, o.view.is_given(), size, stop);
-    if (o.elastic.alone) return verify_unit_alone(o.elastic, film, o.threads, int(o.traffic.seed), o.json);
-    check_film(film);
-    const VerifyPlan work{film, size, clocks[0]};
-    VerifyResult verified = run_machines(o, work, traffic, watch, progress);
-    const std::string wave_lines = show_first_divergence(o, work, traffic, verified);
-    compare_machines(verified, o, work, verified.partial() ? progress : stop);
-    if (!o.output.empty()) {
-        finish_film(verified.strip, o.json.is_alone());   // on failure all earlier files stay
-        write_pictures(o.output, verified.named_pictures());
-    }
-    const double seconds = watch.seconds();
+}
 
+/// Returns true if a stream of rays takes the place of a camera. Throws UserError if an option was given that
+/// has no meaning for it.
+bool verifies_stream(const VerifyOptions& o) {
+    return traces_stream(o.stream, {.size = o.size,
+                                    .finish = o.finish,
+                                    .view = o.view,
+                                    .frames = o.frames,
+                                    .limits = o.limits,
+                                    .own = {{!o.output.empty(), "--output"},
+                                            {o.torture, "--torture"},
+                                            {bool(o.elastic.alone), "--unit-only"},
+                                            {o.netlist, "--netlist"},
+                                            {o.no_wave, "--no-wave"},
+                                            {o.pixels.has_value(), "--pixels"},
+                                            {o.cycles.has_value(), "--cycles"}}});
+}
+
+void require_scene(const VerifyOptions& o) {
+    if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
+}
+
+/// Throws UserError unless the folder of `-o` can take what the command will write.
+void check_folder(const VerifyOptions& o) {
+    if (o.output.empty()) return;
+    check_picture_folder(o.output, {"reference.png", "model.png", "rtl.png", "difference.png"});
+    if (!o.no_wave) check_divergence_folder(o.output);
+}
+void check_folder(const VerifyOptions& o, const Film& film) {
+    if (!o.output.empty() && film.frames() > 1 && film.moves()) check_film_folder(o.output, film.frames());
+}
+
+/// Prints and writes the result. Returns the exit code.
+int report(const VerifyOptions& o, const VerifyPlan& work, const VerifyResult& verified, const Limits& limits,
+           const std::string& wave_lines, double seconds) {
     const std::string far = verified.partial() ? "" : far_frames(limits, verified.errors());
-    const bool agrees = verified.is_good(config), good = agrees && far.empty();
+    const bool agrees = verified.is_good(work.request().config), good = agrees && far.empty();
     if (!o.json.is_alone()) {
         if (!far.empty()) fmt::print("{}\n", far);
         print(o, work, verified, wave_lines);
@@ -439,6 +416,68 @@ int run_verify(const VerifyOptions& typed) {
     }
     o.json.write(json_of(o, work, verified, limits, seconds));
     return good ? 0 : 1;
+}
+
+/// Verifies the frames of a camera.
+int verify_frames(VerifyOptions o) {
+    require_scene(o);
+    const Stopwatch watch;
+    if (o.pixels && o.cycles)
+        throw UserError("--pixels and --cycles both choose a part of the picture: give one");
+    const CycleRange cycles = o.cycles ? parse_cycles(*o.cycles) : CycleRange{};
+    ViewChoice view = o.view;
+    FrameSize size = parse_part(o.size, o.pixels, view);
+    const std::vector<int> clocks = parse_clocks(o.clock);
+    const Traffic traffic = traffic_of(o.traffic);
+    o.json.check();
+    const Limits limits = limits_of(o.limits);
+    const Progress progress = terminal_progress();
+    const Progress stop = stopping(progress);
+    Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stop, view);
+    check_rtl(request.config);
+    if (o.elastic.is_given())
+        parse_free_units(*o.elastic.units, request.config);   // refuses a wrong list early
+    check_folder(o);
+    o.frames = settled_frames(o.frames, request.scene);
+    if (o.cycles) {
+        Film whole(request, o.frames, o.view.is_given(), size, stop);
+        check_folder(o, whole);
+        const PixelRect rect = pixels_of_cycles(o, std::move(whole), cycles, clocks[0], traffic, progress);
+        request.scene.camera->window = PictureWindow{rect.x, rect.y, size.width, size.height};
+        size = rect.size;
+    }
+    Film film(std::move(request), o.frames, o.view.is_given(), size, stop);
+    if (o.elastic.alone) return verify_unit_alone(o.elastic, film, o.threads, int(o.traffic.seed), o.json);
+    check_folder(o, film);
+    const VerifyPlan work{film, size, clocks[0]};
+    VerifyResult verified = run_machines(o, work, traffic, watch, progress);
+    const std::string wave_lines = show_first_divergence(o, work, traffic, verified);
+    compare_machines(verified, o, work, verified.partial() ? progress : stop);
+    if (!o.output.empty()) {
+        finish_film(verified.strip, o.json.is_alone());   // on failure all earlier files stay
+        write_pictures(o.output, verified.named_pictures());
+    }
+    return report(o, work, verified, limits, wave_lines, watch.seconds());
+}
+
+int run_verify(const VerifyOptions& typed) {
+    VerifyOptions o = typed;
+    take_elastic(o.elastic, o.scene);
+    check_options(o);
+    if (verifies_stream(o)) {
+        require_scene(o);
+        return verify_stream({.scene = o.scene,
+                              .clock = o.clock,
+                              .config = o.config,
+                              .stream = o.stream,
+                              .traffic = o.traffic,
+                              .no_judge = o.no_judge,
+                              .threads = o.threads,
+                              .json = o.json,
+                              .elastic = o.elastic.units});
+    }
+    if (o.netlist) build_netlists();
+    return o.torture ? run_torture_set(o.json) : verify_frames(std::move(o));
 }
 
 }   // namespace

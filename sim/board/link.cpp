@@ -47,14 +47,6 @@ std::string why(LinkReason reason) {
 
 }   // namespace
 
-/// A packet in flight.
-struct BoardLink::Sent {
-    LinkCommand command;
-    std::vector<std::uint8_t> bytes;
-    bool is_answered = false;
-    std::uint64_t order = 0;   ///< number of its last transmission
-};
-
 BoardLink::BoardLink(Channel& channel, LinkSettings settings)
     : channel_(channel), settings_(std::move(settings)) {
     if (settings_.tries < 1 || settings_.window < 1 || settings_.window > link_history ||
@@ -70,109 +62,164 @@ void BoardLink::refuse(const LinkCommand& command, LinkReason reason) const {
         fmt::format("{}: the board refuses {}: {}", settings_.name, what_of(command), why(reason)), reason);
 }
 
-void BoardLink::run(std::uint64_t n, const Make& make, const Answered& answered,
-                    const std::function<void(std::uint64_t)>& advanced) {
-    std::deque<Sent> flight;   // commands base, base + 1, ... in order
-    std::uint64_t base = 0, orders = 0;
-    std::optional<std::uint64_t> resent_from;   // a gap that is being filled
-    // The first refusal. The packets in flight are still answered, so that both ends agree on the next
-    // number.
-    std::optional<std::pair<LinkCommand, LinkReason>> refusal;
-    int tries = 0;
-    LinkTime deadline{};
-    std::array<std::uint8_t, 4096> in;
+/// The commands of one call of BoardLink::run(), and the packets in flight.
+class BoardLink::Window {
+public:
+    /// The arguments of BoardLink::run().
+    Window(BoardLink& link, std::uint64_t n, const Make& make, const Answered& answered,
+           const Advanced& advanced)
+        : link_(link), n_(n), make_(make), answered_(answered), advanced_(advanced) {}
 
-    const auto restart = [&] {
-        std::size_t bytes = out_.size();
-        LinkTime work{};
-        for (const Sent& sent : flight) {
-            bytes += sent.bytes.size() + answer_bytes(sent.command);
-            work += settings_.line * sent.command.count;
-        }
-        const LinkTime moved(std::uint64_t(bytes) * 10 * 1'000'000 / settings_.baud);
-        deadline = channel_.now() + (settings_.patience + work + moved) * settings_.slower;
+    void run();
+
+private:
+    /// A packet in flight.
+    struct Sent {
+        LinkCommand command;
+        std::vector<std::uint8_t> bytes;
+        bool is_answered = false;
+        std::uint64_t order = 0;   ///< number of its last transmission
     };
-    const auto send = [&](Sent& sent) {
-        sent.order = ++orders;
-        out_.insert(out_.end(), sent.bytes.begin(), sent.bytes.end());
-    };
-    const auto send_again = [&](Sent& sent) {
-        ++counts_.repeated;
+
+    void fill();
+    void exchange();
+    /// Handles the end of an answer's time.
+    void time_out();
+    void take(LinkAnswer& answer);
+    /// Sends the packets from the expected one on again.
+    void fill_gap(std::size_t refused, std::size_t expected);
+    void send(Sent& sent);
+    void send_again(Sent& sent);
+    /// Starts the time in which an answer must come.
+    void restart();
+
+    BoardLink& link_;
+    std::uint64_t n_;   ///< commands; after a refusal, those that were sent
+    const Make& make_;
+    const Answered& answered_;
+    const Advanced& advanced_;
+
+    std::deque<Sent> flight_;   ///< commands base_, base_ + 1, ... in order
+    std::uint64_t base_ = 0, orders_ = 0;
+    std::optional<std::uint64_t> resent_from_;   ///< a gap that is being filled
+    /// The first refusal. The packets in flight are still answered, so that both ends agree on the next
+    /// number.
+    std::optional<std::pair<LinkCommand, LinkReason>> refusal_;
+    int tries_ = 0;
+    LinkTime deadline_{};
+};
+
+void BoardLink::Window::run() {
+    while (base_ < n_) {
+        fill();
+        exchange();
+        if (link_.channel_.now() >= deadline_ && base_ != n_) time_out();
+    }
+    link_.counts_.discarded = link_.decoder_.discarded();
+    if (refusal_) link_.refuse(refusal_->first, refusal_->second);
+}
+
+void BoardLink::Window::fill() {
+    while (base_ + flight_.size() < n_ && flight_.size() < std::size_t(link_.settings_.window)) {
+        Sent sent{make_(base_ + flight_.size()), {}, false, 0};
+        sent.command.sequence = link_.sequence_++;
+        sent.bytes = packet_bytes(sent.command);
+        ++link_.counts_.packets;
         send(sent);
-    };
-
-    const auto take = [&](LinkAnswer& answer) {
-        const std::uint8_t base_sequence = std::uint8_t(sequence_ - flight.size());
-        const std::size_t i = std::uint8_t(answer.sequence - base_sequence);
-        if (answer.reason == LinkReason::no_session) refuse({}, answer.reason);
-        if (i >= flight.size() || flight[i].is_answered) return;   // of an older packet, or a repetition
-        if (answer.reason == LinkReason::gap) {
-            // Packets from the expected one on were lost. Until it is answered, further refusals of this kind
-            // come from packets that are sent again already.
-            const std::size_t from = std::uint8_t(answer.value - base_sequence);
-            if (from >= i || resent_from) return;
-            resent_from = base + from;
-            for (std::size_t k = from; k < flight.size(); ++k)
-                if (!flight[k].is_answered) send_again(flight[k]);
-            restart();
-            return;
-        }
-        if (answer.kind != flight[i].command.kind) return;
-        flight[i].is_answered = true;
-        if (resent_from == base + i) resent_from.reset();
-        if (answer.reason == LinkReason::done && !refusal) {
-            answered(base + i, answer);
-        } else if (!refusal) {
-            refusal.emplace(flight[i].command, answer.reason);
-            n = base + flight.size();
-        }
-        // The board answers in order: the answers to packets that were sent before this one are lost.
-        for (std::size_t k = 0; k < i; ++k)
-            if (!flight[k].is_answered && flight[k].order < flight[i].order) send_again(flight[k]);
-        while (!flight.empty() && flight.front().is_answered) flight.pop_front(), ++base;
-        if (resent_from && *resent_from < base) resent_from.reset();
-        if (advanced && !refusal) advanced(base);
-        tries = 0;
-        restart();
-    };
-
-    while (base < n) {
-        while (base + flight.size() < n && flight.size() < std::size_t(settings_.window)) {
-            Sent sent{make(base + flight.size()), {}, false, 0};
-            sent.command.sequence = sequence_++;
-            sent.bytes = packet_bytes(sent.command);
-            ++counts_.packets;
-            send(sent);
-            flight.push_back(std::move(sent));
-            restart();
-        }
-        const LinkTime left = deadline - channel_.now();
-        const Channel::Moved moved = channel_.exchange(out_, in, std::max(left, LinkTime(0)));
-        if (moved.written > 0) {
-            out_.erase(out_.begin(), out_.begin() + std::ptrdiff_t(moved.written));
-            restart();
-        }
-        decoder_.push(std::span(in).first(moved.read));
-        while (std::optional<LinkAnswer> answer = decoder_.next()) take(*answer);
-        if (channel_.now() < deadline || base == n) continue;
-
-        // Silence: discard the apparent beginning of a packet. A whole packet may follow in its bytes.
-        decoder_.give_up();
-        if (std::optional<LinkAnswer> answer = decoder_.next()) {
-            take(*answer);
-            continue;
-        }
-        if (++tries >= settings_.tries)
-            throw LinkLost(
-                fmt::format("{}: the board does not answer any more ({} tries)", settings_.name, tries));
-        resent_from.reset();
-        if (out_.empty())
-            for (Sent& sent : flight)
-                if (!sent.is_answered) send_again(sent);
+        flight_.push_back(std::move(sent));
         restart();
     }
-    counts_.discarded = decoder_.discarded();
-    if (refusal) refuse(refusal->first, refusal->second);
+}
+
+void BoardLink::Window::exchange() {
+    std::array<std::uint8_t, 4096> in;
+    std::vector<std::uint8_t>& out = link_.out_;
+    const LinkTime left = deadline_ - link_.channel_.now();
+    const Channel::Moved moved = link_.channel_.exchange(out, in, std::max(left, LinkTime(0)));
+    if (moved.written > 0) {
+        out.erase(out.begin(), out.begin() + std::ptrdiff_t(moved.written));
+        restart();
+    }
+    link_.decoder_.push(std::span(in).first(moved.read));
+    while (std::optional<LinkAnswer> answer = link_.decoder_.next()) take(*answer);
+}
+
+void BoardLink::Window::time_out() {
+    // Discard the apparent beginning of a packet. A whole packet may follow in its bytes.
+    link_.decoder_.give_up();
+    if (std::optional<LinkAnswer> answer = link_.decoder_.next()) {
+        take(*answer);
+        return;
+    }
+    if (++tries_ >= link_.settings_.tries)
+        throw LinkLost(
+            fmt::format("{}: the board does not answer any more ({} tries)", link_.settings_.name, tries_));
+    resent_from_.reset();
+    if (link_.out_.empty())
+        for (Sent& sent : flight_)
+            if (!sent.is_answered) send_again(sent);
+    restart();
+}
+
+void BoardLink::Window::take(LinkAnswer& answer) {
+    const std::uint8_t base_sequence = std::uint8_t(link_.sequence_ - flight_.size());
+    const std::size_t i = std::uint8_t(answer.sequence - base_sequence);
+    if (answer.reason == LinkReason::no_session) link_.refuse({}, answer.reason);
+    if (i >= flight_.size() || flight_[i].is_answered) return;   // of an older packet, or a repetition
+    if (answer.reason == LinkReason::gap) return fill_gap(i, std::uint8_t(answer.value - base_sequence));
+    if (answer.kind != flight_[i].command.kind) return;
+    flight_[i].is_answered = true;
+    if (resent_from_ == base_ + i) resent_from_.reset();
+    if (answer.reason == LinkReason::done && !refusal_) {
+        answered_(base_ + i, answer);
+    } else if (!refusal_) {
+        refusal_.emplace(flight_[i].command, answer.reason);
+        n_ = base_ + flight_.size();
+    }
+    // The board answers in order: the answers to packets that were sent before this one are lost.
+    for (std::size_t k = 0; k < i; ++k)
+        if (!flight_[k].is_answered && flight_[k].order < flight_[i].order) send_again(flight_[k]);
+    while (!flight_.empty() && flight_.front().is_answered) flight_.pop_front(), ++base_;
+    if (resent_from_ && *resent_from_ < base_) resent_from_.reset();
+    if (advanced_ && !refusal_) advanced_(base_);
+    tries_ = 0;
+    restart();
+}
+
+void BoardLink::Window::fill_gap(std::size_t refused, std::size_t expected) {
+    // Packets from the expected one on were lost. Until it is answered, further refusals of this kind come
+    // from packets that are sent again already.
+    if (expected >= refused || resent_from_) return;
+    resent_from_ = base_ + expected;
+    for (std::size_t k = expected; k < flight_.size(); ++k)
+        if (!flight_[k].is_answered) send_again(flight_[k]);
+    restart();
+}
+
+void BoardLink::Window::send(Sent& sent) {
+    sent.order = ++orders_;
+    link_.out_.insert(link_.out_.end(), sent.bytes.begin(), sent.bytes.end());
+}
+
+void BoardLink::Window::send_again(Sent& sent) {
+    ++link_.counts_.repeated;
+    send(sent);
+}
+
+void BoardLink::Window::restart() {
+    const LinkSettings& settings = link_.settings_;
+    std::size_t bytes = link_.out_.size();
+    LinkTime work{};
+    for (const Sent& sent : flight_) {
+        bytes += sent.bytes.size() + answer_bytes(sent.command);
+        work += settings.line * sent.command.count;
+    }
+    const LinkTime moved(std::uint64_t(bytes) * 10 * 1'000'000 / settings.baud);
+    deadline_ = link_.channel_.now() + (settings.patience + work + moved) * settings.slower;
+}
+
+void BoardLink::run(std::uint64_t n, const Make& make, const Answered& answered, const Advanced& advanced) {
+    Window(*this, n, make, answered, advanced).run();
 }
 
 LinkAnswer BoardLink::one(const LinkCommand& command) {

@@ -121,14 +121,14 @@ public:
     int slower() const { return settings_.slower; }
 
 private:
-    struct Sent;
+    class Window;
     using Make = std::function<LinkCommand(std::uint64_t i)>;
     using Answered = std::function<void(std::uint64_t i, LinkAnswer& answer)>;
+    using Advanced = std::function<void(std::uint64_t done)>;
 
     /// Executes commands 0 to n - 1, several in flight. Calls `answered` once for each, perhaps out of order,
     /// and `advanced` with the number of commands that are done without a gap.
-    void run(std::uint64_t n, const Make& make, const Answered& answered,
-             const std::function<void(std::uint64_t done)>& advanced = {});
+    void run(std::uint64_t n, const Make& make, const Answered& answered, const Advanced& advanced = {});
     LinkAnswer one(const LinkCommand& command);
     void greet();
     [[noreturn]] void refuse(const LinkCommand& command, LinkReason reason) const;

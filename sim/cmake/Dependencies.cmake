@@ -56,8 +56,9 @@ if(rc_python)
   endif()
 endif()
 
+option(RAYCLOCK_CCACHE "Compile through ccache if it is installed" ON)
 find_program(CCACHE ccache)
-if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+if(RAYCLOCK_CCACHE AND CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   # Paths in the project count as relative, so that a second clone uses what the first has compiled.
   set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
     # Without this, nothing with precompiled headers is cached.

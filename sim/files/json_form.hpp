@@ -9,8 +9,8 @@
 namespace rayclock {
 
 /// Returns the result of `read`, and turns the library's exceptions into a UserError. Use it for documents in
-/// which the order of keys matters. `file` names the document and the program that writes it: "face.json of
-/// yosys".
+/// which the order of keys matters. `file` names the document and the program that writes it: "interface.json
+/// of yosys".
 template <class Read> auto understood(const std::string& file, Read read) {
     try {
         return read();

@@ -2,7 +2,7 @@
 // Polygons with holes, joined into one ring.
 #include <vector>
 
-#include "sim/load/place.hpp"
+#include "sim/load/part_builder.hpp"
 
 namespace rayclock {
 

@@ -61,7 +61,7 @@ std::string per_million(std::uint64_t count, std::uint64_t rays) {
 }
 
 /// Returns leaks and double hits of each test on selected families.
-std::string tests_table(const Plan& plan, const Outcome& outcome) {
+std::string tests_table(const Plan& plan, const StressResult& outcome) {
     const std::vector<std::pair<const char*, std::vector<std::string>>> groups{
         {"random", {"random"}},          {"edges", {"edges"}},
         {"corners", {"corners"}},        {"needles", {"needles", "slivers"}},
@@ -101,7 +101,7 @@ std::string tests_table(const Plan& plan, const Outcome& outcome) {
            "under every test.\n\n";
 }
 
-std::string bits_table(const Plan& plan, const Outcome& outcome, const std::string& test) {
+std::string bits_table(const Plan& plan, const StressResult& outcome, const std::string& test) {
     Table table({"N", "rays", "leaks", "double hits", "oracle mismatches", "false shadows", "light leaks",
                  "extra boxes"},
                 Table::words_only);
@@ -122,7 +122,7 @@ std::string bits_table(const Plan& plan, const Outcome& outcome, const std::stri
     return fmt::format("## The {} test, by lattice\n\n{}\n", test, table.markdown());
 }
 
-std::string family_part(const Family& which, const Outcome& outcome, const std::string& test,
+std::string family_part(const Family& which, const StressResult& outcome, const std::string& test,
                         const std::string& picture) {
     const Counts c =
         sum(outcome.cells, [&](const Cell& cell) { return cell.test == test && cell.family == which.name; });
@@ -152,7 +152,7 @@ std::string command_of(const Plan& plan) {
 
 }   // namespace
 
-void write_page(const std::string& path, const Plan& plan, const Outcome& outcome) {
+void write_page(const std::string& path, const Plan& plan, const StressResult& outcome) {
     const fs::path page(path);
     const std::string folder_name = page.stem().string();
     const fs::path folder = page.parent_path() / folder_name;

@@ -22,7 +22,7 @@ namespace {
 
 constexpr FrameSize published_size{513, 513};
 constexpr int depth = 4;   // the eye ray has depth 1 in the published rules, and 5 is the deepest
-constexpr double max_from_table = 0.10, max_between_engines = 0.01;
+constexpr double max_from_table = 0.10, max_from_reference = 0.01;
 
 constexpr std::array<const char*, 4> kind_names{"eye rays that hit", "reflected", "refracted", "shadow"};
 
@@ -141,7 +141,7 @@ std::vector<std::string> published_scenes() {
 }
 
 bool is_good(const Counted& c) {
-    if (largest(c.model, c.reference) > max_between_engines) return false;
+    if (largest(c.model, c.reference) > max_from_reference) return false;
     return !c.published || (largest(c.reference, *c.published) <= max_from_table &&
                             largest(c.model, *c.published) <= max_from_table);
 }
@@ -193,7 +193,7 @@ std::string page(const std::vector<Counted>& all, FrameSize size, const std::str
             std::max({from_table, largest(c.reference, *c.published), largest(c.model, *c.published)});
     }
     text += fmt::format("\nLargest deviation of the model from the reference: {:.3f} % (allowed: {:.0f} %).",
-                        100 * between, 100 * max_between_engines);
+                        100 * between, 100 * max_from_reference);
     if (has_published)
         text += fmt::format(" Largest of either from the published counts: {:.3f} % (allowed: {:.0f} %).",
                             100 * from_table, 100 * max_from_table);

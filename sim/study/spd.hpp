@@ -60,7 +60,7 @@ Table havran_table(const std::vector<Counted>& all);
 std::string octree_page(const std::vector<Counted>& all);
 nlohmann::ordered_json octree_json(const Counted& counted);
 
-/// Returns true if both engines are close to the published counts, and the model to the reference.
+/// Returns true if model and reference are close to the published counts, and the model to the reference.
 bool is_good(const Counted& counted);
 
 std::string text(const std::vector<Counted>& all);

@@ -75,7 +75,7 @@ Study make_study(int khz) {
     return std::move(maker.study);
 }
 
-std::vector<Result> grid_results(const Study& study, const Outcome& outcome) {
+std::vector<Result> grid_results(const Study& study, const Evaluation& outcome) {
     std::vector<Result> results;
     for (std::size_t i = 0; i < study.grid_points.size(); ++i) {
         results.push_back(outcome.results[study.grid_points[i]]);

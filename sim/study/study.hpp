@@ -28,11 +28,11 @@ struct SceneStudy {
     std::string name;
     std::size_t triangles = 0;
     FrameSize size;
-    Outcome outcome;
+    Evaluation outcome;
     std::string plot;   ///< file name of the grid's plot, without extension
 };
 
 /// Returns the results of the grid alone.
-std::vector<Result> grid_results(const Study& study, const Outcome& outcome);
+std::vector<Result> grid_results(const Study& study, const Evaluation& outcome);
 
 }   // namespace rayclock::sweep

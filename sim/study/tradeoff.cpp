@@ -297,7 +297,7 @@ void write_tradeoff(const std::string& path, const Tradeoff& what, const std::st
                 progress(fmt::format("{} ({} of {})", name, scenes.size() + 1, what.scenes.size()), done,
                          all);
             };
-        Outcome outcome = run({scene, what.size, study.points, what.threads, what.netlists}, cache, tell);
+        Evaluation outcome = run({scene, what.size, study.points, what.threads, what.netlists}, cache, tell);
         if (outcome.partial)
             throw Interrupted(
                 "interrupted: no page was written; the same command continues where it stopped");

@@ -12,7 +12,7 @@
 #include "sim/silicon/chip/anchor.hpp"
 #include "sim/silicon/chip/cells.hpp"
 #include "sim/files/input.hpp"
-#include "tests/image/folder.hpp"
+#include "tests/support/files/test_folder.hpp"
 
 using namespace rayclock;
 using namespace rayclock::chip;
@@ -90,17 +90,17 @@ TEST_CASE("anchors are the sites that were used, one each, and wires are no long
 }
 
 TEST_CASE("a netlist's cells are wired as its text says") {
-    const TestFolder folder;
-    std::ofstream(folder / "a.json") << R"({"modules": {"top": {"attributes": {"x": 9}, "cells": {
+    const test::TestFolder folder;
+    std::ofstream(folder.name("a.json")) << R"({"modules": {"top": {"attributes": {"x": 9}, "cells": {
         "u_a": {"type": "LUT4", "connections": {"A": [ 2 ], "B": [ "0" ], "Z": [ 17, 3 ]}, "hide_name": 1},
         "u_b": {"type": "LUT4", "connections": {}}}}}})";
     std::vector<std::vector<int>> nets;
-    REQUIRE(read_cells(folder / "a.json", [&](const Cell& cell) { nets.push_back(cell.nets); }));
+    REQUIRE(read_cells(folder.name("a.json"), [&](const Cell& cell) { nets.push_back(cell.nets); }));
     CHECK(nets == std::vector<std::vector<int>>{{2, 17, 3}, {}});
 }
 
 TEST_CASE("a netlist gets anchors as attributes, and nothing else changes") {
-    const TestFolder folder;
+    const test::TestFolder folder;
     const std::string text = R"({
   "modules": {
     "top": {
@@ -129,14 +129,14 @@ TEST_CASE("a netlist gets anchors as attributes, and nothing else changes") {
   }
 }
 )";
-    std::ofstream(folder / "a.json") << text;
+    std::ofstream(folder.name("a.json")) << text;
     const std::map<std::string, std::string> sites{{"u_mul", "X4/Y10/MULT18_0"}, {"u_ram", "X4/Y22/EBR0"}};
-    write_anchored(folder / "a.json", folder / "b.json", sites);
+    write_anchored(folder.name("a.json"), folder.name("b.json"), sites);
     nlohmann::json expected = nlohmann::json::parse(text);
     for (const auto& [name, site] : sites)
         expected["modules"]["top"]["cells"][name]["attributes"]["BEL"] = site;
-    CHECK(nlohmann::json::parse(read_if_there(folder / "b.json")) == expected);
-    CHECK_THROWS_AS(write_anchored(folder / "a.json", folder / "c.json", {{"u_no", "X1/Y1/EBR0"}}),
+    CHECK(nlohmann::json::parse(read_if_there(folder.name("b.json"))) == expected);
+    CHECK_THROWS_AS(write_anchored(folder.name("a.json"), folder.name("c.json"), {{"u_no", "X1/Y1/EBR0"}}),
                     UserError);
-    CHECK_THROWS_AS(anchors_of(folder / "none.json"), UserError);
+    CHECK_THROWS_AS(anchors_of(folder.name("none.json")), UserError);
 }

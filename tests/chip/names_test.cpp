@@ -11,7 +11,7 @@
 #include "sim/silicon/synth/yosys.hpp"
 #include "sim/silicon/chip/harness.hpp"
 #include "sim/silicon/chip/place_and_route.hpp"
-#include "tests/image/folder.hpp"
+#include "tests/support/files/test_folder.hpp"
 
 using namespace rayclock;
 using namespace rayclock::chip;
@@ -44,12 +44,13 @@ TEST_CASE("names of registers lose their bit numbers") {
 }
 
 TEST_CASE("the source of a cell is the text in its module, not the place of its instance") {
-    const TestFolder folder;
-    std::ofstream(folder / "rc_box.sv") << "module rc_box;\n  rc_fifo #(.Depth(4)) u_queue (\n    .clk_i);\n"
-                                           "  rc_ram u_ray (.clk_i); // u_none\nendmodule\n";
-    std::ofstream(folder / "rc_tree.sv") << "module rc_tree;\n  rc_box u_box (.clk_i);\nendmodule\n";
-    std::filesystem::create_directories(folder / "cells/queues");
-    std::ofstream(folder / "cells/queues/rc_fifo.sv")
+    const test::TestFolder folder;
+    std::ofstream(folder.name("rc_box.sv"))
+        << "module rc_box;\n  rc_fifo #(.Depth(4)) u_queue (\n    .clk_i);\n"
+           "  rc_ram u_ray (.clk_i); // u_none\nendmodule\n";
+    std::ofstream(folder.name("rc_tree.sv")) << "module rc_tree;\n  rc_box u_box (.clk_i);\nendmodule\n";
+    std::filesystem::create_directories(folder.name("cells/queues"));
+    std::ofstream(folder.name("cells/queues/rc_fifo.sv"))
         << "module rc_fifo;\n  always_ff @(posedge clk_i) begin\n  end\n";
     const std::string rtl = folder.path().string();
     const std::string inner = rtl + "/cells/queues/rc_fifo.sv:2.3-3.6", outer = rtl + "/rc_box.sv:2.32-3.12",
@@ -101,15 +102,15 @@ TEST_CASE("the harness connects every bit of every port once") {
         "rc_box": {"ports": {"clk_i": {"direction": "input", "bits": [2]}, "rst_ni": {"direction": "input", "bits": [3]},
           "req_i": {"direction": "input", "bits": [4, 5, 6]}, "valid_i": {"direction": "input", "bits": [7]},
           "rsp_o": {"direction": "output", "bits": [8, 9]}}}}})";
-    const Face face = face_of(netlist, "box");
-    CHECK(face.modules == std::vector<std::string>{"box", "fifo"});
-    REQUIRE(face.ports.size() == 5);
-    const std::string text = harness_text(Config{}, "box", face);
+    const ModuleInterface interface = interface_of(netlist, "box");
+    CHECK(interface.modules == std::vector<std::string>{"box", "fifo"});
+    REQUIRE(interface.ports.size() == 5);
+    const std::string text = harness_text(Config{}, "box", interface);
     for (const char* words :
          {"reg  [4-1:0]   in_q;", "wire [2-1:0]  out;", ".clk_i(clk_i)", ".rst_ni(rst_q)",
           ".req_i(in_q[0 +: 3])", ".valid_i(in_q[3 +: 1])", ".rsp_o(out[0 +: 2])", "rc_box u_box ("})
         CHECK_THAT(text, Catch::Contains(words));
-    CHECK_THAT(harness_text(Config{}, "arbiter", face), Catch::Contains("#(.Sources("));
+    CHECK_THAT(harness_text(Config{}, "arbiter", interface), Catch::Contains("#(.Sources("));
 }
 
 TEST_CASE("a netlist is the same wherever the sources lie") {
@@ -117,7 +118,7 @@ TEST_CASE("a netlist is the same wherever the sources lie") {
         WARN("yosys is not installed");
         return;
     }
-    const TestFolder folder;
+    const test::TestFolder folder;
     const synth::YosysFolder run(folder.path());
     REQUIRE(run.run(
         Config{}, "-defer ",

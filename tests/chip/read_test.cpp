@@ -11,7 +11,7 @@
 #include "sim/silicon/chip/route.hpp"
 #include "sim/silicon/chip/timing.hpp"
 #include "sim/files/input.hpp"
-#include "tests/image/folder.hpp"
+#include "tests/support/files/test_folder.hpp"
 
 using namespace rayclock;
 using namespace rayclock::chip;
@@ -71,12 +71,12 @@ TEST_CASE("a route from the cache equals the original route") {
 }
 
 TEST_CASE("truncated files of nextpnr are refused") {
-    const TestFolder folder;
+    const test::TestFolder folder;
     for (const char* cut : {"report.json", "placed.json", "delays.sdf"}) {
         INFO(cut);
         for (const char* file : {"report.json", "placed.json", "delays.sdf"}) {
             const std::string text = read_file(real / file);
-            std::ofstream(folder / file)
+            std::ofstream(folder.name(file))
                 << text.substr(0, file == std::string(cut) ? text.size() / 3 : text.size());
         }
         CHECK_THROWS_AS(read_route(folder.path(), "dispatch", 1), UserError);

@@ -22,42 +22,11 @@ namespace rayclock::test {
 
 namespace fs = std::filesystem;
 
-std::string bytes_of(const std::string& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream bytes;
-    bytes << stream.rdbuf();
-    return bytes.str();
-}
-
-Folder::Folder() {
-    std::string name = (fs::temp_directory_path() / "rayclock-cli-XXXXXX").string();
-    REQUIRE(::mkdtemp(name.data()) != nullptr);
-    path_ = name;
-}
-
-Folder::~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-}
-
-std::string Folder::write(const std::string& file, const std::string& bytes) const {
-    std::ofstream(path_ / file, std::ios::binary) << bytes;
-    return name(file);
-}
-
-std::map<std::string, std::string> Folder::contents() const {
-    std::map<std::string, std::string> all;
-    for (const auto& entry : fs::recursive_directory_iterator(path_))
-        all[fs::relative(entry.path(), path_).string()] =
-            entry.is_regular_file() ? bytes_of(entry.path().string()) : "folder";
-    return all;
-}
-
 namespace {
 
-Outcome run(std::string program, const std::vector<std::string>& arguments,
-            const std::vector<std::string>& environment, const std::function<void(pid_t)>& meanwhile) {
-    const Folder folder;
+ProgramRun run(std::string program, const std::vector<std::string>& arguments,
+               const std::vector<std::string>& environment, const std::function<void(pid_t)>& meanwhile) {
+    const TestFolder folder;
     const std::string out = folder.name("out"), err = folder.name("err");
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
@@ -83,7 +52,7 @@ Outcome run(std::string program, const std::vector<std::string>& arguments,
     rusage used{};
     REQUIRE(wait4(child, &status, 0, &used) == child);
     const auto seconds = [](const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); };
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(out), bytes_of(err),
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err),
             seconds(used.ru_utime) + seconds(used.ru_stime), double(used.ru_maxrss) / 1024};
 }
 
@@ -96,29 +65,31 @@ std::string program_under_test() {
 
 std::string source_folder() { return RAYCLOCK_SOURCE_DIR; }
 
-Outcome run_program(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
+ProgramRun run_program(const std::vector<std::string>& arguments,
+                       const std::vector<std::string>& environment) {
     return run(program_under_test(), arguments, environment, {});
 }
-Outcome run_in_shell(const std::string& script, const std::vector<std::string>& arguments) {
+ProgramRun run_in_shell(const std::string& script, const std::vector<std::string>& arguments) {
     std::vector<std::string> all{"-c", script, "sh", program_under_test()};
     all.insert(all.end(), arguments.begin(), arguments.end());
     return run("/bin/sh", all, {}, {});
 }
-Outcome run_and_interrupt(const std::vector<std::string>& arguments, int milliseconds) {
+ProgramRun run_and_interrupt(const std::vector<std::string>& arguments, int milliseconds) {
     return run(program_under_test(), arguments, {}, [milliseconds](pid_t child) {
         std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
         ::kill(child, SIGINT);
     });
 }
-Outcome run_and_stop(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
-                     int signal, const std::function<bool()>& ready) {
+ProgramRun run_and_stop(const std::vector<std::string>& arguments,
+                        const std::vector<std::string>& environment, int signal,
+                        const std::function<bool()>& ready) {
     return run(program_under_test(), arguments, environment, [&](pid_t child) {
         for (int i = 0; i < 6000 && !ready(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
         ::kill(child, signal);
     });
 }
 
-void check_refused(const Outcome& outcome, const std::vector<std::string>& words) {
+void check_refused(const ProgramRun& outcome, const std::vector<std::string>& words) {
     INFO("standard output: " << outcome.out);
     INFO("standard error: " << outcome.err);
     CHECK(outcome.code == 2);

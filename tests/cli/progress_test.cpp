@@ -83,7 +83,7 @@ TEST_CASE("a terminal shows progress within two seconds", "[slow]") {
     for (const std::vector<std::string>& command : commands) {
         Watched watched;
         for (int attempt = 0; attempt < 2; ++attempt) {   // retries, because other jobs may delay it
-            const Folder folder;
+            const TestFolder folder;
             watched = watch(command, folder.name(""));
             if (watched.silence < 2) break;
         }

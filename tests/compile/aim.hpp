@@ -6,9 +6,9 @@
 
 #include "model/unit/raygen/raygen.hpp"
 #include "model/scene/placed.hpp"
-#include "model/unit/shade/bounce.hpp"
-#include "model/unit/shade/unit_vector.hpp"
-#include "tests/compile/meshes.hpp"
+#include "model/unit/shade/bounce/bounce.hpp"
+#include "model/fixed/unit_vector.hpp"
+#include "tests/support/scenes/hard_meshes.hpp"
 namespace rayclock {
 
 inline Vec3i unit_towards(const glm::dvec3& d, int bits) {

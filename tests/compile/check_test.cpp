@@ -4,7 +4,7 @@
 #include "tests/support/check/image_check.hpp"
 #include "model/compile/compile.hpp"
 #include "model/layout/words.hpp"
-#include "tests/compile/meshes.hpp"
+#include "tests/support/scenes/hard_meshes.hpp"
 
 using namespace rayclock;
 
@@ -16,7 +16,7 @@ struct Victim {
     MemoryImage image = compile_scene(scene, {2, 3, 9}, config);
 
     bool sound() const { return check_image(image, config, &scene).empty(); }
-    Node node(std::uint32_t line) const { return read_node(image, line, config); }
+    Node node(std::uint32_t line) const { return bvh::read_node(image, line, config); }
     template <class P> void put(const P& payload, std::size_t word) {
         const Words packed = pack(payload, config);
         std::copy(packed.begin(), packed.end(), image.words.begin() + std::ptrdiff_t(word));
@@ -70,7 +70,7 @@ TEST_CASE("the validator notices a damaged triangle") {
     std::uint32_t line = 0;
     while (victim.node(line).kind[0] == 1) line = victim.node(line).base;
     const std::uint32_t half_line = 2 * victim.node(line).base;
-    PrimData triangle = read_triangle(victim.image, half_line, victim.config);
+    PrimData triangle = read_primitive(victim.image, half_line, victim.config);
     SECTION("corner moved") { triangle.b[2] += 1; }
     SECTION("corners swapped") { std::swap(triangle.a, triangle.b); }
     SECTION("another triangle's number") { triangle.prim = triangle.prim == 0 ? 1 : 0; }

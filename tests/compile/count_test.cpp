@@ -8,7 +8,7 @@
 #include "model/unit/raygen/raygen.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/trace/walk.hpp"
-#include "tests/compile/meshes.hpp"
+#include "tests/support/scenes/hard_meshes.hpp"
 
 using namespace rayclock;
 
@@ -49,7 +49,7 @@ TEST_CASE("the walk finds what a search through all triangles finds") {
     const Frame frame = make_frame(camera, {32, 32}, image.lattice, config);
     const Walked count = walked(image, frame, config);
     std::vector<PrimData> triangles;
-    for_each_triangle(image, config, [&](const PrimData& t) { triangles.push_back(t); });
+    bvh::for_each_primitive(image, config, [&](const PrimData& t) { triangles.push_back(t); });
     std::uint64_t hits = 0;
     for (std::uint32_t i = 0; i < 32 * 32; ++i) {
         const Ray ray = raygen({0, i % 32, i / 32}, frame, config);

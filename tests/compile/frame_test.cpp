@@ -11,7 +11,7 @@
 #include "model/compile/frame.hpp"
 #include "model/layout/memory_image.hpp"
 #include "model/unit/raygen/raygen.hpp"
-#include "tests/compile/meshes.hpp"
+#include "tests/support/scenes/hard_meshes.hpp"
 
 using namespace rayclock;
 

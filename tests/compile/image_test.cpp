@@ -9,7 +9,7 @@
 #include "model/compile/compile.hpp"
 #include "model/engine/bvh/encode.hpp"
 #include "model/base/error.hpp"
-#include "tests/compile/meshes.hpp"
+#include "tests/support/scenes/hard_meshes.hpp"
 
 using namespace rayclock;
 
@@ -56,7 +56,7 @@ TEST_CASE("a compiled image holds every primitive and passes the validator") {
                         << ", leaf " << leaf);
         CHECK(all_of(check_image(image, config, &scene)) == "");
         std::uint64_t found = 0;
-        for_each_triangle(image, config, [&](const PrimData&) { ++found; });
+        bvh::for_each_primitive(image, config, [&](const PrimData&) { ++found; });
         CHECK(found == image.report.triangles - image.report.collapsed);
         CHECK(image.report.pitch == image.lattice.pitch);
     }
@@ -65,10 +65,10 @@ TEST_CASE("a compiled image holds every primitive and passes the validator") {
 TEST_CASE("one triangle is a root with one leaf") {
     const MemoryImage image = compile_scene(single(), eye, Config{});
     CHECK(image.lines() == 2);
-    const Node root = read_node(image, 0, Config{});
+    const Node root = bvh::read_node(image, 0, Config{});
     CHECK(root.base == 1);
     CHECK(root.kind == std::array<std::uint32_t, max_width>{2});
-    CHECK(read_triangle(image, 2, Config{}).prim == 0);
+    CHECK(read_primitive(image, 2, Config{}).prim == 0);
     CHECK(image.report.nodes == 1);
     CHECK(image.report.leaves == 1);
     CHECK(image.report.depth == 1);
@@ -77,9 +77,9 @@ TEST_CASE("one triangle is a root with one leaf") {
 
 TEST_CASE("boxes are as tight as the format allows") {
     const Config config = shape(18, 8, 1);
-    const std::array<NodeChild, 2> children{NodeChild{{{-5, 0, 7}, {250, 0, 300}}, 1},
-                                            NodeChild{{{-4, 0, 7}, {10, 0, 8}}, 2}};
-    const Node node = encode_node(children, 77, config);
+    const std::array<bvh::NodeChild, 2> children{bvh::NodeChild{{{-5, 0, 7}, {250, 0, 300}}, 1},
+                                                 bvh::NodeChild{{{-4, 0, 7}, {10, 0, 8}}, 2}};
+    const Node node = bvh::encode_node(children, 77, config);
     CHECK(node.org == Vec3i{-5, 0, 7});
     CHECK(node.exp == std::array<std::uint32_t, 3>{0, 0, 1});
     CHECK(node.base == 77);
@@ -88,8 +88,8 @@ TEST_CASE("boxes are as tight as the format allows") {
           std::vector<std::uint32_t>{0, 0, 0, 1, 0, 0});
     CHECK(std::vector<std::uint32_t>(node.hi.begin(), node.hi.begin() + 6) ==
           std::vector<std::uint32_t>{255, 0, 147, 15, 0, 1});
-    const std::array<NodeChild, 1> wider{NodeChild{{{0, 0, 0}, {256, 510, 511}}, 1}};
-    CHECK(encode_node(wider, 0, config).exp == std::array<std::uint32_t, 3>{1, 1, 2});
+    const std::array<bvh::NodeChild, 1> wider{bvh::NodeChild{{{0, 0, 0}, {256, 510, 511}}, 1}};
+    CHECK(bvh::encode_node(wider, 0, config).exp == std::array<std::uint32_t, 3>{1, 1, 2});
 }
 
 TEST_CASE("an image has the same bytes for every number of threads") {

@@ -6,7 +6,7 @@
 
 #include "model/compile/lattice.hpp"
 #include "model/layout/memory_image.hpp"
-#include "tests/compile/meshes.hpp"
+#include "tests/support/scenes/hard_meshes.hpp"
 
 using namespace rayclock;
 

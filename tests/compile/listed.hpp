@@ -1,7 +1,7 @@
 #pragma once
 // A scene's primitives on the lattice of a machine, in the order of a list.
 #include "model/compile/compile.hpp"
-#include "model/engine/bvh/decode.hpp"
+#include "model/layout/words.hpp"
 #include "model/scene/builtin.hpp"
 #include "sim/load/load.hpp"
 
@@ -16,7 +16,7 @@ inline std::vector<PrimData> prims_of(const char* name, Config config, Primitive
     const MemoryImage image = compile_scene(scene, scene.camera->eye, config);
     std::vector<PrimData> prims;
     for (std::uint32_t i = 0; i < image.listed_primitives; ++i)
-        prims.push_back(read_triangle(image, i, config));
+        prims.push_back(read_primitive(image, i, config));
     return prims;
 }
 

@@ -10,30 +10,30 @@
 // lines of one bit each with arbitrary content. It covers a number of cycles from reset. The parts
 // are proven for all time in fifo.sv, credit_counter.sv, queue.sv, tags.sv and mshr.sv.
 module cache #(
-  parameter  int unsigned Words  = 1,   // of a line, 1 or 2
-  parameter  int unsigned Soon   = 9,   // cycles
-  localparam int unsigned IdBits = 2,
-  localparam int unsigned Ids    = 4,
+  parameter  int unsigned Words    = 1,   // of a line, 1 or 2
+  parameter  int unsigned Soon     = 9,   // cycles
+  localparam int unsigned IdBits   = 2,
+  localparam int unsigned Ids      = 4,
   localparam int unsigned AddrBits = 1 + Words,
-  localparam int unsigned Cells  = 1 << AddrBits,
-  localparam int unsigned MissIdW = Words
+  localparam int unsigned Cells    = 1 << AddrBits,
+  localparam int unsigned MissIdW  = Words
 ) (
-  input logic                clk_i,
-  input logic                rst_ni,
-  input logic [Cells-1:0]    memory_i,
-  input logic                req_valid_i,
-  input logic [IdBits-1:0]   req_id_i,
-  input logic [AddrBits-1:0] req_addr_i,
-  input logic                rsp_ready_i,
-  input logic                miss_ready_i,
-  input logic                fill_fires_i,
-  input logic [MissIdW-1:0]  fill_id_i
+  input  logic                clk_i,
+  input  logic                rst_ni,
+  input  logic [Cells-1:0]    memory_i,
+  input  logic                req_valid_i,
+  input  logic [IdBits-1:0]   req_id_i,
+  input  logic [AddrBits-1:0] req_addr_i,
+  input  logic                rsp_ready_i,
+  input  logic                miss_ready_i,
+  input  logic                fill_fires_i,
+  input  logic [MissIdW-1:0]  fill_id_i
 );
-  logic                        req_ready_o, rsp_valid_o, miss_valid_o, waits_o, rsp_bit;
-  logic [2:0]                  outcome_o;
-  logic [IdBits-1:0]           rsp_id;
-  logic [MissIdW-1:0]          miss_id;
-  logic [AddrBits-1:0]         miss_addr;
+  logic                             req_ready_o, rsp_valid_o, miss_valid_o, waits_o, rsp_bit;
+  logic [2:0]                       outcome_o;
+  logic [IdBits-1:0]                rsp_id;
+  logic [MissIdW-1:0]               miss_id;
+  logic [AddrBits-1:0]              miss_addr;
   logic [(1<<MissIdW)*AddrBits-1:0] asked_addr_q;
   rc_cache #(.IdBits(IdBits), .AddrBits(AddrBits), .Parts(1), .PartW(1), .Sets(1), .Ways(2),
       .Words(Words), .Mshrs(2),

@@ -10,7 +10,7 @@
 #include <filesystem>
 
 #include "sim/files/image/golden.hpp"
-#include "tests/golden/golden_scenes.hpp"
+#include "tests/support/scenes/golden_scenes.hpp"
 
 namespace {
 

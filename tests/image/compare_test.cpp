@@ -4,7 +4,9 @@
 
 #include "sim/files/image/golden.hpp"
 #include "sim/files/image/srgb.hpp"
-#include "tests/image/folder.hpp"
+#include "tests/image/pictures.hpp"
+#include "tests/support/files/complaint.hpp"
+#include "tests/support/files/test_folder.hpp"
 
 using namespace rayclock;
 
@@ -55,11 +57,11 @@ TEST_CASE("psnr is 10 log10(255^2 / mean square) over all channels", "[image]") 
 
 TEST_CASE("pictures of different sizes are refused", "[image]") {
     const Picture a = grey_picture({2, 3}, 0), b = grey_picture({3, 2}, 0);
-    CHECK(complaint([&] { compare(a, b); }) != "");
+    CHECK(test::complaint([&] { compare(a, b); }) != "");
 }
 
 TEST_CASE("golden pictures are found by scene and size, and hold within their bounds", "[image]") {
-    const TestFolder folder;
+    const test::TestFolder folder;
     const FrameSize size{40, 30};
     const Picture picture = grey_picture(size, 0.5f);
     CHECK(golden_path("g", "gears:4", {128, 96}) == "g/gears_4_128x96.png");

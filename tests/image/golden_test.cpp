@@ -6,8 +6,8 @@
 #include <catch2/catch.hpp>
 
 #include "sim/files/image/golden.hpp"
-#include "tests/golden/golden_scenes.hpp"
-#include "tests/reference/embree_scene.hpp"
+#include "tests/support/scenes/golden_scenes.hpp"
+#include "tests/support/scenes/embree_scene.hpp"
 
 using namespace rayclock;
 

@@ -41,13 +41,13 @@ public:
     ~FakeAssimp() { setenv("PATH", path_.c_str(), 1); }
 
 private:
-    Folder folder_;
+    SceneFolder folder_;
     std::string path_;
 };
 
 std::string said_with(const std::string& script) {
     const FakeAssimp fake(script);
-    const Folder folder;
+    const SceneFolder folder;
     const std::string said = complaint(folder.write("a.x3d", x3d));
     INFO(said);
     CHECK(said.find('\n') == said.npos);
@@ -61,7 +61,7 @@ bool is_there() { return !find_program(assimp_program).empty(); }
 
 TEST_CASE("assimp: a file of another kind is drawn where its author put it, packed or not") {
     if (!is_there()) return;   // without Assimp nothing can be tested
-    const Folder folder;
+    const SceneFolder folder;
     for (const auto& [name, bytes] :
          {std::pair("a.x3d", std::string(x3d)), std::pair("a.x3d.gz", gz_of(x3d))}) {
         std::vector<std::string> notes;
@@ -81,7 +81,7 @@ TEST_CASE("assimp: a file of another kind is drawn where its author put it, pack
 
 TEST_CASE("assimp: pictures keep their coordinates, and t increases upwards in AC3D") {
     if (!is_there()) return;   // without Assimp nothing can be tested
-    const Folder folder;
+    const SceneFolder folder;
     folder.write("p.png", png_bytes({{2, 2}, {{1, 1, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}));
     const Scene scene = folder.load("a.ac", R"(AC3Db
 MATERIAL "m" rgb 1 1 1 amb 1 1 1 emis 0 0 0 spec 0 0 0 shi 0 trans 0
@@ -114,7 +114,7 @@ kids 0
 
 TEST_CASE("assimp: a file name is one argument, whatever its characters") {
     if (!is_there()) return;   // without Assimp nothing can be tested
-    const Folder folder;
+    const SceneFolder folder;
     CHECK(folder.load("a $(touch x) ; -b.x3d", x3d).triangles.size() == 2);
     CHECK(folder.load("-fobj.x3d", x3d).triangles.size() == 2);
 }
@@ -136,7 +136,7 @@ TEST_CASE("assimp: what it does wrong becomes a sentence") {
 }
 
 TEST_CASE("assimp: without it a sentence says what to install") {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string file = folder.write("a.fbx", "Kaydara FBX Binary"), path = std::getenv("PATH");
     setenv("PATH", "/nowhere", 1);
     const std::string said = complaint(file);

@@ -55,7 +55,7 @@ struct Told {
     std::string notes;
 };
 Told load(const std::string& text) {
-    const Folder folder;
+    const SceneFolder folder;
     Told told;
     std::vector<std::string> notes;
     told.scene = load_scene(folder.write("a.dae", text), {}, Primitives::triangles, &notes);
@@ -158,7 +158,7 @@ TEST_CASE("dae: a node's transforms are applied in their order, lookat and skew 
     // Points on (1, 1, 0) turn away from x by 45 degrees, onto the y axis: x falls by y.
     check(document(node("<skew>-45 1 1 0 1 0 0</skew>")),
           {[](const Point& p) { return Point(p.x - p.y, p.y, p.z); }});
-    const Folder folder;
+    const SceneFolder folder;
     CHECK_THAT(complaint(folder.write("a.dae", document(node("<lookat>1 2 3 1 2 3 0 1 0</lookat>")))),
                Contains("lookat") && Contains("one line"));
 }
@@ -255,7 +255,7 @@ TEST_CASE("dae: colours come by parameters, a missing one is black, a glowing on
     CHECK(colour(drawn_with(reference, {}, param("float4", "1 0 0 1"))) == wanted);
     CHECK(colour(drawn_with(reference, param("float4", "0 1 0 1"), {},
                             "<setparam ref=\"c\"><float4>1 0 0 1</float4></setparam>")) == wanted);
-    const Folder folder;
+    const SceneFolder folder;
     CHECK_THAT(complaint(folder.write("a.dae", drawn_with(reference))), Contains("'c'"));
     CHECK(colour(drawn_with("<phong><ambient><color>1 1 1 1</color></ambient></phong>")) == Point(0));
     const std::string emission = "<emission><color>1 0 0 1</color></emission>";
@@ -307,7 +307,7 @@ TEST_CASE("dae: a skin has the pose of its joints, a morph has the weights of th
     // RELATIVE adds half of (x, y + 4, z).
     check(document(alone, mesh(plain) + target, morph("0.5", "RELATIVE")),
           {[](const Point& p) { return 1.5 * p + Point(0, 2, 0); }});
-    const Folder folder;
+    const SceneFolder folder;
     for (const auto& [from, to] : {std::pair("<v>0 0 1", "<v>0 0 2"), std::pair("<v>0 0 1 1", "<v>0 0 1 7"),
                                    std::pair("<vcount>2", "<vcount>9")}) {
         std::string text = document(skinned, mesh(plain), skin(one, one, "1 0"));
@@ -319,7 +319,7 @@ TEST_CASE("dae: a skin has the pose of its joints, a morph has the weights of th
 TEST_CASE("dae: decimal commas are read, and numbers that nothing uses may be nonsense") {
     check(document(here, mesh_of(source("p", "0 0 0 2,0 0 0 0 1,0 0 0 0 0,5", 4, 3, params), plain)), {same});
     check(document(here, mesh_of(source("p", corners + " NaN INF 0", 5, 3, params), plain)), {same});
-    const Folder folder;
+    const SceneFolder folder;
     CHECK_THAT(complaint(folder.write(
                    "a.dae",
                    document(here, mesh_of(source("p", "0 0 0 NaN 0 0 0 1 0 0 0 0.5", 4, 3, params), plain)))),

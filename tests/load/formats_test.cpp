@@ -32,7 +32,7 @@ void check_octahedron(const Scene& scene) {
 }   // namespace
 
 TEST_CASE("one mesh is the same in every format") {
-    const Folder folder;
+    const SceneFolder folder;
     const Octahedron o;
     folder.write("mesh data.bin", o.bin());
     const std::vector<std::pair<std::string, std::string>> files{
@@ -62,13 +62,13 @@ TEST_CASE("one mesh is the same in every format") {
 }
 
 TEST_CASE("extensions may be in capitals and names may hold blanks") {
-    const Folder folder;
+    const SceneFolder folder;
     check_octahedron(folder.load("An Octahedron.OBJ", Octahedron().obj()));
     check_octahedron(folder.load("A.Glb", Octahedron().glb()));
 }
 
 TEST_CASE("line ends of other systems, blank lines and comments change nothing") {
-    const Folder folder;
+    const SceneFolder folder;
     for (const std::string& text : {Octahedron().obj(), Octahedron().ply_ascii(), Octahedron().stl_ascii()}) {
         std::string windows;
         for (const char c : text) windows += c == '\n' ? "\r\n" : std::string(1, c);
@@ -82,12 +82,12 @@ TEST_CASE("line ends of other systems, blank lines and comments change nothing")
 }
 
 TEST_CASE("binary STL may carry something behind its triangles") {
-    const Folder folder;
+    const SceneFolder folder;
     check_octahedron(folder.load("more.stl", "x" + Octahedron().stl_binary().substr(1) + "and more"));
 }
 
 TEST_CASE("a loaded scene passes check_scene(), and progress is reported") {
-    const Folder folder;
+    const SceneFolder folder;
     int calls = 0;
     const Scene scene = load_scene(folder.write("a.obj", Octahedron().obj()),
                                    [&](std::string_view what, std::uint64_t done, std::uint64_t total) {
@@ -101,7 +101,7 @@ TEST_CASE("a loaded scene passes check_scene(), and progress is reported") {
 }
 
 TEST_CASE("ply: properties may have any order and type, and other elements and lists are skipped") {
-    const Folder folder;
+    const SceneFolder folder;
     const Scene scene = folder.load(
         "a.ply",
         "ply\nformat ascii 1.0\nobj_info x\nelement camera 1\nproperty float angle\nelement vertex 4\n"
@@ -117,7 +117,7 @@ TEST_CASE("ply: properties may have any order and type, and other elements and l
 }
 
 TEST_CASE("normals are kept if the file has them, and facets next to them stay flat") {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string v = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
     CHECK(folder.load("flat.obj", v + "f 1 2 3\n").normals.empty());
     const Scene mixed = folder.load("mixed.obj", v + "vn 0 0 2\nvn 0.6 0 0.8\nf 1//1 2//2 3//1\nf 1 4 2\n");
@@ -139,7 +139,7 @@ TEST_CASE("normals are kept if the file has them, and facets next to them stay f
 }
 
 TEST_CASE("a scene without lights gets a key light and a fill light at its scale") {
-    const Folder folder;
+    const SceneFolder folder;
     const Scene small = folder.load("a.obj", Octahedron().obj());
     const Scene large =
         folder.load("a.json", R"({"meshes":{"a":{"file":"a.obj"}},"objects":[{"mesh":"a","scale":1000}]})");

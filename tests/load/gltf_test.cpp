@@ -18,7 +18,7 @@ namespace {
 Json document() { return Json::parse(Octahedron().gltf("")); }
 
 Scene load(const Json& json) {
-    const Folder folder;
+    const SceneFolder folder;
     return folder.load("a.glb", glb_of(json.dump(), Octahedron().bin()));
 }
 

@@ -14,7 +14,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-PlacedScene placed(const Folder& folder, const Json& json) {
+PlacedScene placed(const SceneFolder& folder, const Json& json) {
     const Progress silent;
     Loading loading(silent);
     return load_json_scene(folder.write("placed.json", json.dump()), loading).scene;
@@ -45,7 +45,7 @@ void check_same(const Scene& a, const Scene& b) {
 }   // namespace
 
 TEST_CASE("json: instances share their mesh, and are the same as copies of it") {
-    const Folder folder;
+    const SceneFolder folder;
     const PlacedScene scene = placed(folder, with_instances(three));
     REQUIRE(scene.meshes.size() == 1);
     CHECK(scene.meshes[0].triangles.size() == 8);
@@ -65,7 +65,7 @@ TEST_CASE("json: instances share their mesh, and are the same as copies of it") 
 }
 
 TEST_CASE("json: an object's own place is outside its instances'") {
-    const Folder folder;
+    const SceneFolder folder;
     Json json = with_instances({{{"translate", {1, 0, 0}}}});
     json["objects"][0]["rotate"] = {{"axis", {0, 0, 1}}, {"degrees", 90}};
     const glm::dvec3 p = Octahedron().vertices[0];
@@ -74,7 +74,7 @@ TEST_CASE("json: an object's own place is outside its instances'") {
 }
 
 TEST_CASE("json: a graph of instances becomes one level") {
-    const Folder folder;
+    const SceneFolder folder;
     folder.write("inner.json", with_instances(three).dump());
     const Json outer = {
         {"materials", {{"green", {{"colour", {0, 1, 0}}}}}},
@@ -101,7 +101,7 @@ TEST_CASE("json: a graph of instances becomes one level") {
 }
 
 TEST_CASE("json: a smooth mesh keeps its normals next to flat ones, with instances") {
-    const Folder folder;
+    const SceneFolder folder;
     folder.write("n.obj", "v 0 0 0\nv 1 0 -1\nv 0 1 0\nvn 1 0 1\nf 1//1 2//1 3//1\n");
     Json json = with_instances(three);
     json["meshes"]["n"] = {{"file", "n.obj"}};
@@ -114,7 +114,7 @@ TEST_CASE("json: a smooth mesh keeps its normals next to flat ones, with instanc
 }
 
 TEST_CASE("json: true spheres of a mesh with instances are copied") {
-    const Folder folder;
+    const SceneFolder folder;
     const Json json = {{"meshes", {{"f", {{"builtin", "balls:1"}, {"native", true}}}}},
                        {"objects", {{{"mesh", "f"}, {"instances", {{{"scale", 2}}, {{"scale", 3}}}}}}}};
     const Scene scene = folder.load("a.json", json.dump());
@@ -128,14 +128,14 @@ TEST_CASE("json: a million instances load") {
         {"objects", {{{"mesh", "t"}, {"instances", Json::array()}}}}};
     Json& instances = json["objects"][0]["instances"];
     for (int i = 0; i < 1'000'000; ++i) instances.push_back({{"translate", {i % 1000, i / 1000, 0}}});
-    const Folder folder;
+    const SceneFolder folder;
     const Scene scene = folder.load("a.json", json.dump());
     REQUIRE(scene.triangles.size() == 1'000'000);
     CHECK(scene.vertices[scene.triangles.back().vertex[0]] == glm::dvec3(999, 999, 0));
 }
 
 TEST_CASE("malformed instances of a JSON scene are refused with their place") {
-    const Folder folder;
+    const SceneFolder folder;
     const auto sentence = [&](const Json& json) { return complaint(folder.write("bad.json", json.dump())); };
     const auto says = [&](const Json& instance, const std::string& words) {
         const std::string told = sentence(with_instances({{{"scale", 1}}, instance}));

@@ -17,7 +17,7 @@ namespace {
 Json document() { return Json::parse(Octahedron().json()); }
 
 Scene load(const Json& json) {
-    const Folder folder;
+    const SceneFolder folder;
     return folder.load("a.json", json.dump());
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("json: mirror images keep the outside outside") {
 }
 
 TEST_CASE("json: normals go by the inverse transpose, through mirrors as well") {
-    const Folder folder;
+    const SceneFolder folder;
     folder.write("n.obj", "v 0 0 0\nv 1 0 -1\nv 0 1 0\nvn 1 0 1\nf 1//1 2//1 3//1\n");
     const auto normal = [&](const Json& scale) {
         const Json json = {{"meshes", {{"n", {{"file", "n.obj"}}}}},
@@ -81,7 +81,7 @@ TEST_CASE("json: normals go by the inverse transpose, through mirrors as well") 
 }
 
 TEST_CASE("json: a flat mesh has its facets' normals next to a smooth one") {
-    const Folder folder;
+    const SceneFolder folder;
     folder.write("n.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0.6 0.8\nf 1//1 2//1 3//1\n");
     Json json = document();
     json["meshes"]["n"]["file"] = "n.obj";
@@ -131,7 +131,7 @@ TEST_CASE("json: camera, background, lights and materials arrive") {
 }
 
 TEST_CASE("json: meshes from files, scenes and built-ins keep their materials") {
-    const Folder folder;
+    const SceneFolder folder;
     folder.write("m.mtl", "newmtl red\nKd 1 0 0\n");
     folder.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
     std::filesystem::create_directories(folder.name("sub"));

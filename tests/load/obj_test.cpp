@@ -32,7 +32,7 @@ double upward_area(const Scene& scene) {
 }   // namespace
 
 TEST_CASE("polygons are cut without gaps or overlaps, concave ones too") {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string l_shape = "v 0 0 0\nv 4 0 0\nv 4 1 0\nv 1 1 0\nv 1 3 0\nv 0 3 0\n";
     const Scene l = folder.load("l.obj", l_shape + "f 1 2 3 4 5 6\n");
     CHECK(l.triangles.size() == 4);
@@ -90,7 +90,7 @@ TEST_CASE("random star-shaped polygons keep their area") {
 }
 
 TEST_CASE("a face with thousands of corners loads, round or jagged") {
-    const Folder folder;
+    const SceneFolder folder;
     for (const bool is_jagged : {false, true}) {
         const int n = 4000;
         std::string text, face = "f";
@@ -118,7 +118,7 @@ TEST_CASE("polygons without an inside still give n - 2 triangles") {
 }
 
 TEST_CASE("negative indices count from their own line") {
-    const Folder folder;
+    const SceneFolder folder;
     const Scene scene = folder.load(
         "n.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 9 9 9\nf -1 -4 -3\nf 5 1 2\nv 7 7 7\n");
     REQUIRE(scene.triangles.size() == 3);
@@ -128,7 +128,7 @@ TEST_CASE("negative indices count from their own line") {
 }
 
 TEST_CASE("numbers in all their spellings arrive as the nearest 32-bit float") {
-    const Folder folder;
+    const SceneFolder folder;
     const Scene scene = folder.load("n.obj",
                                     "v .5 -.5 +.25\nv 5. 1e2 1E-2\nv 0.1 -0 1e17\nv 1e-46 00.7 16777217\n"
                                     "v 0.30000000000000004 1234567.8901 -1e-320\nf 1 2 3\nf 3 4 5\n");
@@ -152,7 +152,7 @@ TEST_CASE("numbers in all their spellings arrive as the nearest 32-bit float") {
 }
 
 TEST_CASE("32-bit floats survive being written and read, in text formats as in binary ones") {
-    const Folder folder;
+    const SceneFolder folder;
     std::mt19937 random(11);
     std::string obj, ply, stl = "solid\n";
     std::vector<glm::dvec3> written;
@@ -186,7 +186,7 @@ TEST_CASE("32-bit floats survive being written and read, in text formats as in b
 }
 
 TEST_CASE("a binary file may begin with a byte that looks like a line break") {
-    const Folder folder;
+    const SceneFolder folder;
     Octahedron o;
     for (const char first : {'\n', '\r', ' ', '\t', '\0'}) {
         const std::string bits = {first, '\x10', '\x80', '\x3f'};
@@ -200,7 +200,7 @@ TEST_CASE("a binary file may begin with a byte that looks like a line break") {
 }
 
 TEST_CASE("obj: groups, objects, points, lines, textures and continued lines change no face") {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string v = "v 0 0 0 1.0\nv 1 0 0 0.5 0.5 0.5\nv 0 1 0\nv 0 0 1\nvt 0 0\n";
     const Scene scene = folder.load(
         "g.obj", v + "o first\ng a b\nf 1/1 2/1 3/1\ng c\nf 2 3 4\ns off\ng a b\np 1\nl 1 2 3\nf 1 2\n"
@@ -210,7 +210,7 @@ TEST_CASE("obj: groups, objects, points, lines, textures and continued lines cha
 }
 
 TEST_CASE("faces keep the order of the file through groups and materials") {
-    const Folder folder;
+    const SceneFolder folder;
     std::string text = "  v 0 0 0\n\tv 1 0 0\nv 0 1 0\n";
     const int count = 60;
     for (int i = 0; i < count; ++i) text += std::string("v 0 0 ") + std::to_string(i + 1) + "\n";
@@ -231,7 +231,7 @@ TEST_CASE("faces keep the order of the file through groups and materials") {
 }
 
 TEST_CASE("mtl: colours, highlights and transparency are read, and a missing material is grey") {
-    const Folder folder;
+    const SceneFolder folder;
     folder.write(
         "my colours.mtl",
         "# colours\nnewmtl clay\nKa 1 1 1\nKd 0.5 0.25 0.125\nillum 1\nKs 1 1 1\nmap_Kd nothing.png\n"

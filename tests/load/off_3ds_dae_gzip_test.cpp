@@ -20,14 +20,14 @@ struct Told {
     Scene scene;
     std::vector<std::string> notes;
 };
-Told told(const Folder& folder, const std::string& name, const std::string& bytes,
+Told told(const SceneFolder& folder, const std::string& name, const std::string& bytes,
           Textures textures = Textures::drawn) {
     Told all;
     all.scene = load_scene(folder.write(name, bytes), {}, Primitives::triangles, &all.notes, textures);
     return all;
 }
 void check_refused(const std::string& name, const std::string& bytes, const std::vector<std::string>& words) {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string said = complaint(folder.write(name, bytes));
     INFO(name << ": " << bytes.substr(0, 200));
     CHECK_THAT(said, Contains(name));
@@ -44,7 +44,7 @@ constexpr const char* tetrahedron = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 
 }   // namespace
 
 TEST_CASE("off: counts on the keyword's line, comments, polygons, normals and colours are read") {
-    const Folder folder;
+    const SceneFolder folder;
     CHECK(folder.load("a.off", std::string("OFF 4 4 6 # so many\n\n# nothing\n") + tetrahedron)
               .triangles.size() == 4);
     const Told quad =
@@ -81,7 +81,7 @@ TEST_CASE("off: what makes no sense is refused with its line") {
 }
 
 TEST_CASE("3ds: faces keep their materials and the order of the file") {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string red =
         chunk(0xafff, chunk(0xa000, std::string("red\0", 4)) +
                           chunk(0xa020, chunk(0x0011, std::string("\xff\0\0", 3))) + chunk(0xa200, ""));
@@ -108,7 +108,7 @@ TEST_CASE("3ds: faces keep their materials and the order of the file") {
 }
 
 TEST_CASE("3ds: a colour that is not a number counts as 0, with a note") {
-    const Folder folder;
+    const SceneFolder folder;
     std::string colour;
     for (const float x : {std::numeric_limits<float>::quiet_NaN(), 0.5f, 7.0f}) colour += raw(x);
     const std::string material =
@@ -144,7 +144,7 @@ TEST_CASE("3ds: what makes no sense is refused") {
 }
 
 TEST_CASE("dae: nodes with transforms, copies of nodes, colours of materials, polygons and strips are read") {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string library =
         "<library_effects><effect id=\"e\"><profile_COMMON><technique sid=\"t\"><phong><diffuse><color>1 0.5 "
         "0 1</color>"
@@ -244,7 +244,7 @@ TEST_CASE("gzip: data that are damaged, cut off or followed by others are refuse
 
 TEST_CASE(
     "glTF: --no-textures draws the mean of the base colour's texture, from a file, from inside, or none") {
-    const Folder folder;
+    const SceneFolder folder;
     Picture picture{{2, 1}, {{1, 0, 0.25f}, {0, 0, 0.25f}}};
     const std::string png = png_bytes(picture);
     folder.write("mean.png", png);
@@ -285,7 +285,7 @@ TEST_CASE(
 }
 
 TEST_CASE("every prefix and every changed byte of the other formats loads or is refused") {
-    const Folder folder;
+    const SceneFolder folder;
     const Octahedron o;
     const std::vector<std::pair<std::string, std::string>> files{
         {"a.off", o.off()}, {"a.3ds", o.tds()}, {"a.dae", o.dae("Z_UP")}, {"a.off.gz", gz_of(o.off())}};

@@ -36,7 +36,7 @@ template <class Number> std::string data_of(const std::vector<double>& numbers) 
 const std::vector<double> plain{0, 1, 2, 0, 0, -1};
 
 std::string complaint_of(const std::string& name, const std::string& bytes, bool any_hit = false) {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string file = folder.write(name, bytes);
     try {
         const RayFile rays(file, any_hit);
@@ -56,7 +56,7 @@ std::string complaint_of_numbers(std::vector<double> numbers) {
 }   // namespace
 
 TEST_CASE("rays of every width and type are read", "[rays]") {
-    const Folder folder;
+    const SceneFolder folder;
     std::vector<double> numbers{0.5, 1, 2, 0.25, 0, -1};
     const auto check = [&](const RayFile& rays, double t_min, double t_max, bool any) {
         REQUIRE(rays.size() == 1);

@@ -12,30 +12,20 @@
 #include "sim/files/input.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/scratch.hpp"
+#include "tests/support/files/test_folder.hpp"
 
 using namespace rayclock;
 namespace fs = std::filesystem;
 
-namespace {
-
-/// A folder that is not on the list that signal handlers remove.
-struct UnmanagedFolder {
-    fs::path path = fs::temp_directory_path() / ("rayclock-staged-test-" + std::to_string(getpid()));
-    UnmanagedFolder() { fs::create_directory(path); }
-    ~UnmanagedFolder() { fs::remove_all(path); }
-};
-
-}   // namespace
-
 TEST_CASE("a published file replaces the old one, which may be read again under another name") {
-    const UnmanagedFolder folder;
-    const fs::path old = folder.path / "x.png", kept = folder.path / "kept.png";
+    const test::TestFolder folder;   // not on the list that signal handlers remove
+    const fs::path old = folder.path() / "x.png", kept = folder.path() / "kept.png";
     std::ofstream(old) << "old";
     fs::create_hard_link(old, kept);
-    const std::string typed = (folder.path / "." / "x.png").string();   // not as the folder names it
+    const std::string typed = (folder.path() / "." / "x.png").string();   // not as the folder names it
     check_writable(typed);
     CHECK_THROWS_AS(read_file(kept), UserError);   // it is the file that would be replaced
-    StagedFiles staged(folder.path.string() + "/");
+    StagedFiles staged(folder.path().string() + "/");
     std::ofstream(staged.stage() / "x.png") << "new";
     staged.publish();
     CHECK(read_file(old) == "new");
@@ -45,8 +35,8 @@ TEST_CASE("a published file replaces the old one, which may be read again under 
 }
 
 TEST_CASE("a stale input entry protects no output") {
-    const UnmanagedFolder folder;
-    const fs::path input = folder.path / "a.json", output = folder.path / "b.json";
+    const test::TestFolder folder;   // not on the list that signal handlers remove
+    const fs::path input = folder.path() / "a.json", output = folder.path() / "b.json";
     std::ofstream(input) << "{}";
     CHECK(read_file(input) == "{}");
     CHECK_THROWS_AS(check_writable(input), UserError);
@@ -56,8 +46,8 @@ TEST_CASE("a stale input entry protects no output") {
 }
 
 TEST_CASE("a signal after files are published removes none of them, and one before removes them all") {
-    const UnmanagedFolder folder;
-    const fs::path out = folder.path / "out", exported = folder.path / "exported";
+    const test::TestFolder folder;   // not on the list that signal handlers remove
+    const fs::path out = folder.path() / "out", exported = folder.path() / "exported";
     StagedFiles staged(out.string());
     std::ofstream(staged.stage() / "x.png") << "new";
     staged.publish();
@@ -66,11 +56,11 @@ TEST_CASE("a signal after files are published removes none of them, and one befo
     whole.publish();
     StagedFiles early(out.string());
     std::ofstream(early.stage() / "y.png") << "new";
-    NewFolder part((folder.path / "part").string());
+    NewFolder part((folder.path() / "part").string());
     part.write("c.sv", "module");
     remove_scratch();   // what the handler does
     CHECK(!fs::exists(early.stage()));
     CHECK(fs::exists(out / "x.png"));
     CHECK(fs::exists(exported / "a" / "b.sv"));
-    CHECK(std::distance(fs::directory_iterator(folder.path), {}) == 2);
+    CHECK(std::distance(fs::directory_iterator(folder.path()), {}) == 2);
 }

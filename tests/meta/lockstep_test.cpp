@@ -6,7 +6,6 @@
 #include <fstream>
 #include <set>
 #include <sstream>
-#include <unistd.h>
 
 #include "model/machine/machine.hpp"
 #include "model/machine/payload_replay.hpp"
@@ -16,6 +15,7 @@
 #include "sim/run/lockstep/lockstep.hpp"
 #include "sim/view/report/builds.hpp"
 #include "sim/view/report/lockstep.hpp"
+#include "tests/support/files/test_folder.hpp"
 
 using namespace rayclock;
 namespace fs = std::filesystem;
@@ -25,27 +25,21 @@ namespace {
 /// While it lives, the RTL is a copy with one text replaced.
 class Mutant {
 public:
-    Mutant(const std::string& file, const std::string& old, const std::string& fresh)
-        : folder_(fs::temp_directory_path() / ("rayclock-meta-" + std::to_string(getpid()))) {
-        fs::remove_all(folder_);
-        fs::copy(RAYCLOCK_SOURCE_DIR "/rtl", folder_, fs::copy_options::recursive);
-        std::ostringstream bytes;
-        bytes << std::ifstream(folder_ / file).rdbuf();
-        std::string text = bytes.str();
+    Mutant(const std::string& file, const std::string& old, const std::string& fresh) {
+        const fs::path rtl = folder_.path() / "rtl";
+        fs::copy(RAYCLOCK_SOURCE_DIR "/rtl", rtl, fs::copy_options::recursive);
+        std::string text = test::content_of((rtl / file).string());
         const std::size_t at = text.find(old);
         REQUIRE(at != std::string::npos);
         REQUIRE(text.find(old, at + 1) == std::string::npos);
-        std::ofstream(folder_ / file) << text.replace(at, old.size(), fresh);
-        setenv("RAYCLOCK_RTL", folder_.c_str(), 1);
+        std::ofstream(rtl / file) << text.replace(at, old.size(), fresh);
+        setenv("RAYCLOCK_RTL", rtl.c_str(), 1);
     }
-    ~Mutant() {
-        unsetenv("RAYCLOCK_RTL");
-        fs::remove_all(folder_);
-    }
+    ~Mutant() { unsetenv("RAYCLOCK_RTL"); }
     Mutant(const Mutant&) = delete;
 
 private:
-    fs::path folder_;
+    test::TestFolder folder_;
 };
 
 Job small_job(int tri_interval = 1) {

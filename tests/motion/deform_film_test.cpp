@@ -6,7 +6,7 @@
 #include "sim/judge/reference/reference.hpp"
 #include "sim/files/image/image.hpp"
 #include "tests/motion/films.hpp"
-#include "tests/motion/shapes.hpp"
+#include "tests/support/scenes/deforming_files.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;
@@ -36,7 +36,7 @@ Config config_of(const Way& way, const char* name = "default") {
 TEST_CASE("uploads of a mesh that deforms give every frame the memory that it reads", "[motion][deform]") {
     const Way way = any_way();
     INFO("levels " << way.levels << ", " << way.uploads);
-    const Folder folder;
+    const SceneFolder folder;
     Film film = film_of(sheet_film(folder, 9), config_of(way), small, options(way.uploads, 1e9));
     const Recorded made = recorded(film);
     // Where their trees will be, frames may find any content: the last frame's, or nonsense.
@@ -65,7 +65,7 @@ TEST_CASE("uploads of a mesh that deforms give every frame the memory that it re
 TEST_CASE("a film has the same hits whether trees are refitted or rebuilt", "[motion][deform]") {
     const Way way = any_way();
     INFO("levels " << way.levels << ", " << way.uploads);
-    const Folder folder;
+    const SceneFolder folder;
     const std::string path = sheet_film(folder, 12, true);
     std::vector<Recorded> made;
     for (const double rebuild : {0.0, 1e9, 1.5}) {
@@ -95,7 +95,7 @@ TEST_CASE("a sheet that begins as a line is drawn once it opens", "[motion][defo
     constexpr FrameSize size{64, 48};
     const Way way = any_way();
     INFO("levels " << way.levels << ", " << way.uploads);
-    const Folder folder;
+    const SceneFolder folder;
     const std::string path = sheet_film(folder, 8);
     folder.write("a.obj", sheet_obj(8, [](double, double z) { return glm::dvec3(0, 0, z); }));
     Film film = film_of(path, config_of(way), size, options(way.uploads, 1e9, 3));
@@ -119,7 +119,7 @@ TEST_CASE("every frame of a mesh that deforms looks as the reference says that i
     constexpr FrameSize size{96, 72};
     const Way way = any_way();
     INFO("levels " << way.levels << ", " << way.uploads);
-    const Folder folder;
+    const SceneFolder folder;
     Film film = film_of(sheet_film(folder, 12), config_of(way), size, options(way.uploads, 1.5, 4));
     for (std::size_t f = 0; f < film.frames(); ++f) {
         film.next();
@@ -135,7 +135,7 @@ TEST_CASE("a mesh that deforms has finished pictures: its surfaces follow it", "
     constexpr FrameSize size{64, 48};
     const Way way = any_way();
     INFO("levels " << way.levels << ", " << way.uploads);
-    const Folder folder;
+    const SceneFolder folder;
     Request request;
     request.scene = load_scene(sheet_film(folder, 8));
     request.settings.depth = 2;
@@ -162,7 +162,7 @@ TEST_CASE("a mesh that deforms has finished pictures: its surfaces follow it", "
 
 TEST_CASE("machines without a tree that can be refitted make all of it anew, and say so",
           "[motion][deform]") {
-    const Folder folder;
+    const SceneFolder folder;
     Config list = quick_config("default");
     list.structure = Structure::kd;
     Film film = film_of(sheet_film(folder, 6), list, small, options("between", 1.5, 3));
@@ -189,7 +189,7 @@ TEST_CASE("model and RTL draw the same film of a mesh that deforms", "[motion][d
     for (const char* uploads : {"between", "double"}) {
         if (config.levels == 1 && std::string(uploads) == "double") continue;
         INFO(config.name << ", levels " << config.levels << ", " << uploads);
-        const Folder folder;
+        const SceneFolder folder;
         Film film = film_of(sheet_film(folder, 5, true), config, {16, 12}, options(uploads, 1.5, 5));
         const Recorded made = recorded(film);
         std::size_t refitted = 0, rebuilt = 0;

@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 
 #include "sim/load/json/scene.hpp"
-#include "tests/motion/animated.hpp"
-#include "tests/motion/shapes.hpp"
+#include "tests/support/scenes/animated.hpp"
+#include "tests/support/scenes/deforming_files.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;
@@ -29,7 +29,7 @@ const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n",
 TEST_CASE(
     "every corner of a keyed shape moves straight from key to key, and stays still before and after them",
     "[motion][deform]") {
-    const Folder folder;
+    const SceneFolder folder;
     folder.write("a.obj", square);
     folder.write("b.obj", lifted);
     folder.write("c.obj", square);
@@ -54,7 +54,7 @@ TEST_CASE(
 
 TEST_CASE("normals of a keyed shape go from key to key, and facets have their own in every frame",
           "[motion][deform]") {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string faces = "f 1//1 2//1 3//1 4//2\n";
     folder.write("a.obj", square.substr(0, square.find('f')) + "vn 0 0 1\nvn 0 1 0\n" + faces);
     folder.write("b.obj", lifted.substr(0, lifted.find('f')) + "vn 0 3 0\nvn 1 0 0\n" + faces);
@@ -104,7 +104,7 @@ TEST_CASE("a facet takes no corner from a smooth neighbour", "[motion][deform]")
 
 TEST_CASE("keyed shapes that do not fit together are refused with the file and the value",
           "[motion][deform]") {
-    const Folder folder;
+    const SceneFolder folder;
     folder.write("a.obj", square);
     folder.write("b.obj", lifted);
     folder.write("more.obj", "v 0 0 0\n" + square);

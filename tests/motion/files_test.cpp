@@ -9,7 +9,7 @@
 #include "model/scene/placed.hpp"
 #include "sim/load/json/scene.hpp"
 #include "sim/load/mesh/mesh_file.hpp"
-#include "tests/motion/animated.hpp"
+#include "tests/support/scenes/animated.hpp"
 #include "tests/support/scenes/scene_files.hpp"
 
 using namespace rayclock;
@@ -19,7 +19,7 @@ using Json = nlohmann::json;
 namespace {
 
 PlacedScene placed(const Json& json) {
-    const Folder folder;
+    const SceneFolder folder;
     const Progress silent;
     Loading loading(silent);
     return load_json_scene(folder.write("moves.json", json.dump()), loading).scene;
@@ -40,7 +40,7 @@ glm::dvec3 at(const PlacedScene& scene, std::size_t i, const glm::dvec3& p) {
 }
 
 void check_refused_scene(const Json& json, const std::vector<std::string>& parts) {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string said = complaint(folder.write("moves.json", json.dump()));
     for (const std::string& part : parts) CHECK_THAT(said, Catch::Contains(part));
 }
@@ -74,7 +74,7 @@ TEST_CASE("keyframes move an object, its instances, the camera and a light", "[m
 }
 
 TEST_CASE("a file with motion moves where it is placed, and in what moves there", "[motion]") {
-    const Folder folder;
+    const SceneFolder folder;
     Json inner =
         scene_of({{{"mesh", "o"},
                    {"keyframes",

@@ -175,7 +175,7 @@ TEST_CASE("every frame looks as the reference says that its scene looks", "[moti
 }
 
 TEST_CASE("a mirrored, sheared and scaled instance moves as its triangles do", "[motion][film]") {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string path = folder.write("odd.json", R"({
       "camera": {"eye": [0, 1, 9], "at": [0, 0, 0]}, "lights": [{"position": [3, 5, 9]}],
       "meshes": {"b": {"builtin": "icosphere:2"}, "g": {"builtin": "gears:1"}},
@@ -196,7 +196,7 @@ TEST_CASE("a mirrored, sheared and scaled instance moves as its triangles do", "
 }
 
 TEST_CASE("a frame whose instances become too flat is compiled anew and correct", "[motion][film]") {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string path = folder.write("flat.json", R"({
       "camera": {"eye": [0, 1, 9], "at": [0, 0, 0]}, "lights": [{"position": [3, 5, 9]}],
       "meshes": {"b": {"builtin": "icosphere:2"}},

@@ -1,7 +1,7 @@
 // Deforming meshes of glTF: compares morph targets and skins with independent formulas in double.
 #include <catch2/catch.hpp>
 
-#include "tests/motion/gltf_deforming.hpp"
+#include "tests/support/scenes/gltf_deforming.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;
@@ -124,7 +124,7 @@ TEST_CASE("glTF: a skin carries what its morph targets have made", "[motion][def
 }
 
 TEST_CASE("a file with a skin deforms where it is placed, in every place alike", "[motion][deform]") {
-    const Folder folder;
+    const SceneFolder folder;
     const Skinned file;
     folder.write("skin.glb", glb_of(file.json.dump(), file.bytes));
     folder.write(

@@ -1,7 +1,7 @@
 // Deforming meshes of glTF: refused files.
 #include <catch2/catch.hpp>
 
-#include "tests/motion/gltf_deforming.hpp"
+#include "tests/support/scenes/gltf_deforming.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -13,7 +13,7 @@
 #include "model/compile/lattice.hpp"
 #include "model/trace/decoder.hpp"
 #include "model/trace/record.hpp"
-#include "tests/compile/meshes.hpp"
+#include "tests/support/scenes/hard_meshes.hpp"
 #include "tests/support/machine/frames.hpp"
 
 namespace rayclock::test::refit_test {
@@ -72,7 +72,7 @@ std::size_t count_different(const std::vector<Closest>& a, const std::vector<Clo
 double cost_of(const MemoryImage& image, const Config& config) {
     double sum = 0;
     const std::function<LatticeBox(std::uint32_t)> walk = [&](std::uint32_t line) {
-        const Node node = read_node(image, line, config);
+        const Node node = bvh::read_node(image, line, config);
         LatticeBox all;
         std::uint32_t inner = 0;
         for (const std::uint32_t kind : node.kind) inner += kind == 1;
@@ -81,7 +81,7 @@ double cost_of(const MemoryImage& image, const Config& config) {
         for (const std::uint32_t kind : node.kind) {
             LatticeBox leaf;
             for (std::uint32_t k = 1; k < kind; ++k, ++half) {
-                const PrimData t = read_triangle(image, half, config);
+                const PrimData t = read_primitive(image, half, config);
                 leaf.add(t.a), leaf.add(t.b), leaf.add(t.c);
             }
             if (kind < 2) continue;

@@ -7,7 +7,7 @@
 #include "sim/judge/paths/judge_picture.hpp"
 #include "sim/judge/reference/reference.hpp"
 #include "tests/motion/films.hpp"
-#include "tests/motion/shapes.hpp"
+#include "tests/support/scenes/deforming_files.hpp"
 #include "tests/support/scenes/textured_cubes.hpp"
 
 namespace rayclock::test::textured_film_test {
@@ -85,7 +85,7 @@ TEST_CASE("four frames of a textured mesh that deforms are correct, and differ",
 TEST_CASE("no line of a cache holds lines of two buffers", "[motion][deform][textures]") {
     constexpr int cache_line = 256, lines = cache_line / int(line_bytes);
     const TexturedCubes cubes;
-    const Folder folder;
+    const SceneFolder folder;
     const bool has_textures = GENERATE(false, true);
     INFO("has_textures " << has_textures);
     Request request;

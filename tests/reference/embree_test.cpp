@@ -6,7 +6,7 @@
 #include "sim/judge/reference/reference.hpp"
 #include "model/scene/builtin.hpp"
 #include "tests/reference/embree_judge.hpp"
-#include "tests/reference/embree_scene.hpp"
+#include "tests/support/scenes/embree_scene.hpp"
 
 using namespace rayclock;
 

@@ -7,7 +7,7 @@
 #include "sim/judge/reference/geometry.hpp"
 #include "sim/judge/reference/reference.hpp"
 #include "model/scene/builtin.hpp"
-#include "tests/reference/embree_scene.hpp"
+#include "tests/support/scenes/embree_scene.hpp"
 #include "tests/reference/meshes.hpp"
 
 using namespace rayclock;

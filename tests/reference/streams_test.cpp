@@ -12,7 +12,7 @@
 #include "sim/load/load.hpp"
 #include "sim/run/stream/stream.hpp"
 #include "tests/reference/embree_judge.hpp"
-#include "tests/reference/embree_scene.hpp"
+#include "tests/support/scenes/embree_scene.hpp"
 #include "tests/support/check/streams.hpp"
 
 using namespace rayclock;

@@ -1,4 +1,5 @@
-// The positions of a pixel's samples. Pictures cannot show errors, because all engines share the rule.
+// The positions of a pixel's samples. Pictures cannot show errors, because reference and machine share the
+// rule.
 #include <catch2/catch.hpp>
 
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "model/base/error.hpp"
 #include "model/core/parameters.hpp"
 #include "sim/explore/sweep/shard.hpp"
-#include "tests/sweep/support.hpp"
+#include "tests/sweep/small_sweeps.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

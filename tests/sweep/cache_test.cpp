@@ -2,7 +2,7 @@
 #include <fstream>
 
 #include "sim/explore/sweep/key.hpp"
-#include "tests/sweep/support.hpp"
+#include "tests/sweep/small_sweeps.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;
@@ -16,7 +16,7 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
     return files;
 }
 
-void check_same(const sweep::Outcome& a, const sweep::Outcome& b) {
+void check_same(const sweep::Evaluation& a, const sweep::Evaluation& b) {
     REQUIRE(a.results.size() == b.results.size());
     for (std::size_t i = 0; i < a.results.size(); ++i) {
         INFO("point " << i);
@@ -36,7 +36,7 @@ void check_same(const sweep::Outcome& a, const sweep::Outcome& b) {
 }   // namespace
 
 TEST_CASE("the cache gives back what it got, under its key only") {
-    const CacheFolder folder;
+    const TestFolder folder;
     results::Cache cache(folder.path(), false);
     const ordered_json value{{"a", 1.0 / 3}, {"b", nullptr}, {"c", {1, 2, 3}}};
     CHECK(!cache.find("frame", "key"));
@@ -51,9 +51,9 @@ TEST_CASE("the cache gives back what it got, under its key only") {
 }
 
 TEST_CASE("an entry whose value is of another kind counts as missing, although its checksum is right") {
-    const CacheFolder folder;
+    const TestFolder folder;
     const Scene scene = scene_with_camera("tetra:1");
-    const sweep::Outcome first = run_sweep(scene, {"coord_bits=16"}, folder.path());
+    const sweep::Evaluation first = run_sweep(scene, {"coord_bits=16"}, folder.path());
     for (const auto& file : files_in(folder.path())) {
         std::ifstream stream(file);
         const ordered_json entry = ordered_json::parse(stream);
@@ -68,7 +68,7 @@ TEST_CASE("an entry whose value is of another kind counts as missing, although i
 }
 
 TEST_CASE("an entry that is not whole, or was changed, counts as missing") {
-    const CacheFolder folder;
+    const TestFolder folder;
     results::Cache cache(folder.path(), false);
     cache.keep("frame", "key", {{"cycles", 12345}});
     const std::filesystem::path file = files_in(folder.path()).at(0);
@@ -88,7 +88,7 @@ TEST_CASE("an entry that is not whole, or was changed, counts as missing") {
 }
 
 TEST_CASE("a folder that cannot be made does not stop the sweep") {
-    const CacheFolder folder;
+    const TestFolder folder;
     std::ofstream(folder.path() / "file") << "not a folder";
     results::Cache cache(folder.path() / "file" / "sweep", false);
     CHECK(!cache.trouble().empty());
@@ -147,16 +147,16 @@ TEST_CASE("spheres, planes, checkers and instances change a scene's digest as we
 }
 
 TEST_CASE("a sweep that is known is not worked out again, and says the same") {
-    const CacheFolder folder;
+    const TestFolder folder;
     const Scene scene = scene_with_camera("teapot:4");
     const std::vector<std::string> axes{"coord_bits=12,16", "clock=66,200"};
-    const sweep::Outcome first = run_sweep(scene, axes, folder.path()),
-                         second = run_sweep(scene, axes, folder.path());
+    const sweep::Evaluation first = run_sweep(scene, axes, folder.path()),
+                            second = run_sweep(scene, axes, folder.path());
     CHECK(first.known == 0);
     CHECK(first.traces == 2);
     CHECK(second.known == 4);
     check_same(first, second);
-    const sweep::Outcome fresh = run_sweep(scene, axes, folder.path(), true);
+    const sweep::Evaluation fresh = run_sweep(scene, axes, folder.path(), true);
     CHECK(fresh.known == 0);
     check_same(first, fresh);
     CHECK(first.results[0].picture->error.pixels_other_primitive >
@@ -164,7 +164,7 @@ TEST_CASE("a sweep that is known is not worked out again, and says the same") {
 }
 
 TEST_CASE("another parameter, clock, size or scene is another point") {
-    const CacheFolder folder;
+    const TestFolder folder;
     const Scene scene = scene_with_camera("tetra:3");
     const std::vector<std::string> axes{"coord_bits=14"};
     run_sweep(scene, axes, folder.path());
@@ -180,25 +180,25 @@ TEST_CASE("another parameter, clock, size or scene is another point") {
 }
 
 TEST_CASE("an entry that is broken is worked out again") {
-    const CacheFolder folder;
+    const TestFolder folder;
     const Scene scene = scene_with_camera("tetra:3");
     const std::vector<std::string> axes{"coord_bits=14,16"};
-    const sweep::Outcome first = run_sweep(scene, axes, folder.path());
+    const sweep::Evaluation first = run_sweep(scene, axes, folder.path());
     const std::vector<std::filesystem::path> files = files_in(folder.path());
     CHECK(files.size() == 4);   // frame and picture of each
     for (const std::filesystem::path& file : files) {
         std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
-        const sweep::Outcome again = run_sweep(scene, axes, folder.path());
+        const sweep::Evaluation again = run_sweep(scene, axes, folder.path());
         CHECK(again.known == 1);
         check_same(first, again);
     }
 }
 
 TEST_CASE("a refusal is cached as well, separately for each memory") {
-    const CacheFolder folder;
+    const TestFolder folder;
     const Scene scene = scene_with_camera("icosphere:2");
     for (const std::size_t known : {0, 2}) {
-        const sweep::Outcome outcome = run_sweep(scene, {"stack_depth=1,16"}, folder.path());
+        const sweep::Evaluation outcome = run_sweep(scene, {"stack_depth=1,16"}, folder.path());
         CHECK(outcome.known == known);
         CHECK(outcome.results[0].point.refused.find("stack_depth") != std::string::npos);
         CHECK(outcome.results[1].complete());

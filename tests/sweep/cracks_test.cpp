@@ -5,7 +5,7 @@
 
 #include "model/unit/raygen/raygen.hpp"
 #include "sim/explore/sweep/cracks.hpp"
-#include "tests/sweep/support.hpp"
+#include "tests/sweep/small_sweeps.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -15,7 +15,7 @@
 using namespace rayclock;
 using namespace rayclock::test;
 using fit::Goal;
-using fit::Measure;
+using fit::Measurer;
 using fit::Search;
 
 namespace {
@@ -91,7 +91,7 @@ TEST_CASE("what fit finds keeps the goal, and nothing in it can be a step lower"
                  Case{"icosphere:3", {1, {}, 300}, "default"});
     const Scene scene = ready(c.scene, frame_size);
     const HitFrame reference = Reference(scene).frame(*scene.camera, frame_size);
-    Measure measure(scene, frame_size, 0);
+    Measurer measure(scene, frame_size, 0);
     const auto found = Search(measure, named_config(c.base), c.goal).run();
     INFO(c.scene);
     REQUIRE(found);
@@ -121,7 +121,7 @@ TEST_CASE("no pair of N and M that keeps the goal is cheaper", "[fit]") {
     const Scene scene = ready(name, small);
     const HitFrame reference = Reference(scene).frame(*scene.camera, small);
     const Goal goal{0.5, {}, 2};
-    Measure measure(scene, small, 0);
+    Measurer measure(scene, small, 0);
     const auto found = Search(measure, named_config("default"), goal).run();
     REQUIRE(found);
     const auto cost = [&](int n, int m) {
@@ -146,7 +146,7 @@ TEST_CASE("fit is the same for any number of threads", "[fit]") {
     const Scene scene = ready("mount:4", {64, 48});
     std::vector<Config> found;
     for (const int threads : {1, 3}) {
-        Measure measure(scene, {64, 48}, threads);
+        Measurer measure(scene, {64, 48}, threads);
         found.push_back(Search(measure, named_config("default"), {1, {}, 2}).run()->config);
     }
     for (const Parameter& p : parameters()) CHECK(p.get(found[0]) == p.get(found[1]));

@@ -1,6 +1,6 @@
 // Fronts and knees of hand-made points.
 #include "model/base/error.hpp"
-#include "tests/sweep/support.hpp"
+#include "tests/sweep/small_sweeps.hpp"
 
 namespace rayclock::test::front_test {
 

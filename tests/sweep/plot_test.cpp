@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "sim/view/plot/axis.hpp"
-#include "tests/sweep/support.hpp"
+#include "tests/sweep/small_sweeps.hpp"
 #include "sim/explore/sweep/plot.hpp"
 
 namespace rayclock::test::plot_test {

@@ -222,7 +222,7 @@ TEST_CASE("tri's intervals are exactly what the corners of the box of directions
         camera.eye = {double(draw.between(-150, 150)), double(draw.between(-150, 150)), 160};
         const Job job = make_job(scene, camera, {9, 7}, config);
         const Extremes e = fit::extremes(job.image, job.frame, config);
-        const PrimData t = read_triangle(job.image, 2 * read_node(job.image, 0, config).base, config);
+        const PrimData t = read_primitive(job.image, 2 * bvh::read_node(job.image, 0, config).base, config);
         Interval det, u, v, w, p1, p2, num;
         for (int corner = 0; corner < 8; ++corner) {
             using Vec = std::array<Int128, 3>;

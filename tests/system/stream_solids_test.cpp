@@ -201,7 +201,7 @@ TEST_CASE("hits on spheres and planes are those of the geometry, on the machine 
     std::vector<StreamRay> given;
     for (const Expected& one : all) given.push_back(one.ray);
     const StreamInput input(scene, std::make_unique<ListedRays>("rays by hand", given), Outside::refuse);
-    const StreamTracer tracer = GENERATE(StreamTracer::model, StreamTracer::reference);
+    const Tracer tracer = GENERATE(Tracer::model, Tracer::reference);
     const std::vector<StreamHit> hits = trace_stream(input, tracer, chip_for(scene)).hits;
     for (std::size_t i = 0; i < all.size(); ++i) {
         INFO(int(tracer) << ", ray " << i);
@@ -224,8 +224,8 @@ TEST_CASE("random rays meet what they meet in double precision, except at edges"
     const std::vector<StreamRay> given = random_rays(scene, 4000, 17);
     const StreamInput input(scene, std::make_unique<ListedRays>("random rays", given), Outside::clip);
     const Config config = chip_for(scene, {{"coord_bits", 20}, {"origin_bits", 10}});
-    const std::vector<StreamHit> ours = trace_stream(input, StreamTracer::model, config).hits,
-                                 theirs = trace_stream(input, StreamTracer::reference, config).hits;
+    const std::vector<StreamHit> ours = trace_stream(input, Tracer::model, config).hits,
+                                 theirs = trace_stream(input, Tracer::reference, config).hits;
     std::size_t found = 0, other = 0, far = 0;
     for (std::size_t i = 0; i < given.size(); ++i) {
         found += ours[i].hit;

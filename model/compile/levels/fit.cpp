@@ -10,7 +10,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "model/unit/shade/bounce.hpp"
+#include "model/unit/shade/bounce/bounce.hpp"
 
 namespace rayclock {
 namespace {
@@ -62,7 +62,7 @@ double off_of_secondary(const MeshClass& made, bool is_whole, double stretch, co
 /// Sets the box of the mesh's corners as the stored map places them, enlarged by the error of a hit around
 /// each. A triangle lies within its corners' box, and so do its points, each with that error around it.
 void place_box(const MeshClass& made, const glm::dmat3& linear, const glm::dvec3& moved, const Config& config,
-               bool by_reach, Fitted& fitted) {
+               bool by_reach, FittedMap& fitted) {
     const double largest = largest_of(config);
     InstanceMap& map = fitted.map;
     const glm::dmat3 back = glm::inverse(linear);
@@ -90,9 +90,9 @@ void place_box(const MeshClass& made, const glm::dmat3& linear, const glm::dvec3
 
 }   // namespace
 
-Seen seen_from(const glm::dmat4& place, const Lattice& lattice) {
+LatticeInMesh lattice_in_mesh(const glm::dmat4& place, const Lattice& lattice) {
     const glm::dmat3 back = glm::inverse(glm::dmat3(place));
-    Seen seen;
+    LatticeInMesh seen;
     seen.middle = back * (lattice.centre - glm::dvec3(place[3]));
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 3; ++k) {
@@ -131,10 +131,10 @@ CornerReach reach_of(const MeshClass& made) {
     return reach;
 }
 
-Fitted fit(const Seen& seen, const MeshClass& made, const Config& config, bool by_reach) {
+FittedMap fit(const LatticeInMesh& seen, const MeshClass& made, const Config& config, bool by_reach) {
     const int frac = config.map_frac();
     const std::int64_t one = std::int64_t(1) << frac;
-    Fitted fitted;
+    FittedMap fitted;
     InstanceMap& map = fitted.map;
     map.is_whole = map.is_same = true;
     glm::dmat3 linear;   // as stored

@@ -23,7 +23,7 @@ struct Needs {
     glm::dvec3 least{0}, most{0};   ///< steps of the members
     glm::dvec3 lo{0}, hi{0};
     bool is_one = true;   ///< all members see the same lattice
-    Seen seen;
+    LatticeInMesh seen;
 };
 
 /// Returns the cofactors of a place, which transform normals. Their square gives the change of lengths.
@@ -180,15 +180,15 @@ private:
     double map_one(std::size_t i, std::size_t t) {
         InstanceMap& map = maps_.instances[i];
         const MeshClass& made = maps_.classes[map.mesh_class];
-        const Fitted fitted = fit(seen_at(i, t), made, config_, moves_[i] || is_large_ || made.deforms);
+        const FittedMap fitted = fit(seen_at(i, t), made, config_, moves_[i] || is_large_ || made.deforms);
         map = fitted.map;
         map.mesh_class = class_[i];
         if (fitted.stretched && !is_out_[i]) is_out_[i] = written_out_ = true;
         return fitted.stretched ? 0 : fitted.beyond;
     }
 
-    Seen seen_at(std::size_t i, std::size_t t) const {
-        return seen_from(is_out_[i] ? glm::dmat4(1) : times_[t][i], maps_.lattice);
+    LatticeInMesh seen_at(std::size_t i, std::size_t t) const {
+        return lattice_in_mesh(is_out_[i] ? glm::dmat4(1) : times_[t][i], maps_.lattice);
     }
 
     void sort_into_classes() {
@@ -230,13 +230,13 @@ private:
         }
     }
 
-    static bool is_usable(const Seen& seen) {
+    static bool is_usable(const LatticeInMesh& seen) {
         constexpr double most = 1e200;
         return glm::all(glm::lessThan(seen.step, glm::dvec3(most))) &&
                glm::all(glm::lessThan(glm::abs(seen.middle), glm::dvec3(most)));
     }
 
-    Needs needs_of(const Seen& seen) const {
+    Needs needs_of(const LatticeInMesh& seen) const {
         return {seen.step, seen.step, seen.middle - largest_ * seen.step, seen.middle + largest_ * seen.step,
                 true,      seen};
     }
@@ -371,7 +371,7 @@ std::optional<LevelMaps> map_moving(const LevelParts& parts, std::span<const Pla
 InstanceMap map_at(const glm::dmat4& place, std::uint32_t mesh_class, const LevelMaps& maps,
                    const Config& config) {
     const MeshClass& made = maps.classes[mesh_class];
-    InstanceMap map = fit(seen_from(place, maps.lattice), made, config, true).map;
+    InstanceMap map = fit(lattice_in_mesh(place, maps.lattice), made, config, true).map;
     map.mesh_class = mesh_class;
     return map;
 }

@@ -24,12 +24,13 @@ Config single(Config config) {
 /// Writes a node over subtrees as boxes.
 class UpperBoxes {
 public:
-    UpperBoxes(const std::vector<UpperEntry>&, const BinaryTree& tree, const Collapse&, const Config& config)
+    UpperBoxes(const std::vector<UpperEntry>&, const BinaryTree& tree, const bvh::Collapse&,
+               const Config& config)
         : tree_(tree), config_(config) {}
-    Node node(const std::vector<WideChild>& found, std::uint32_t base) const {
-        std::array<NodeChild, max_width> children;
+    Node node(const std::vector<bvh::WideChild>& found, std::uint32_t base) const {
+        std::array<bvh::NodeChild, max_width> children;
         for (std::size_t i = 0; i < found.size(); ++i) children[i] = {tree_.nodes[found[i].node].box, 0};
-        return encode_node(std::span(children).first(found.size()), base, config_);
+        return bvh::encode_node(std::span(children).first(found.size()), base, config_);
     }
 
 private:
@@ -40,36 +41,36 @@ private:
 /// Writes a node over subtrees as globes, which hold the corners of boxes and so the boxes.
 class UpperGlobes {
 public:
-    UpperGlobes(const std::vector<UpperEntry>& entries, const BinaryTree& tree, const Collapse& collapse,
+    UpperGlobes(const std::vector<UpperEntry>& entries, const BinaryTree& tree, const bvh::Collapse& collapse,
                 const Config& config)
-        : config_(config), around_(tree, collapse, [&](std::uint32_t i, std::vector<Bead>& beads) {
+        : config_(config), around_(tree, collapse, [&](std::uint32_t i, std::vector<spheres::Bead>& beads) {
               const LatticeBox& box = entries[i].map->box;
               for (int corner = 0; corner < 8; ++corner)
                   beads.push_back({{corner & 1 ? box.hi[0] : box.lo[0], corner & 2 ? box.hi[1] : box.lo[1],
                                     corner & 4 ? box.hi[2] : box.lo[2]},
                                    0});
           }) {}
-    GlobeNode node(const std::vector<WideChild>& found, std::uint32_t base) const {
-        std::array<GlobeChild, max_width> children;
+    GlobeNode node(const std::vector<bvh::WideChild>& found, std::uint32_t base) const {
+        std::array<spheres::GlobeChild, max_width> children;
         for (std::size_t i = 0; i < found.size(); ++i) children[i] = {around_[found[i].node], 0};
-        return encode_globes(std::span(children).first(found.size()), base, config_);
+        return spheres::encode_globes(std::span(children).first(found.size()), base, config_);
     }
 
 private:
     const Config& config_;
-    GlobesAround around_;
+    spheres::GlobesAround around_;
 };
 
 /// `As` is UpperBoxes or UpperGlobes.
 template <class As> class TreeWriter {
 public:
     TreeWriter(const BinaryTree& tree, UpperLines& lines, UpperTotals& totals, const As& as,
-               const Collapse& collapse)
+               const bvh::Collapse& collapse)
         : tree_(tree), lines_(lines), totals_(totals), as_(as), collapse_(collapse) {}
 
     /// Writes a subtree. Returns the number of sibling groups that a ray may have to keep below the node.
     int write(std::uint32_t node, std::uint32_t line, int depth) {
-        std::vector<WideChild> found;
+        std::vector<bvh::WideChild> found;
         collapse_.children(node, found);
         const std::uint32_t base = lines_.take(found.size());
         lines_.write(as_.node(found, base), line);
@@ -92,13 +93,13 @@ private:
     UpperLines& lines_;
     UpperTotals& totals_;
     const As& as_;
-    const Collapse& collapse_;
+    const bvh::Collapse& collapse_;
 };
 
 template <class As> UpperReport write_tree(const std::vector<UpperEntry>& entries, const BinaryTree& tree,
                                            UpperLines& lines, std::uint32_t root,
                                            std::vector<PlacedEntry>& placed) {
-    const Collapse collapse(tree, single(lines.config()));
+    const bvh::Collapse collapse(tree, single(lines.config()));
     const As as(entries, tree, collapse, lines.config());
     UpperTotals totals{entries, placed};
     totals.report.stack_need = TreeWriter(tree, lines, totals, as, collapse).write(tree.root, root, 1);
@@ -117,8 +118,8 @@ UpperReport write_upper(const std::vector<UpperEntry>& entries, std::uint32_t li
     UpperLines lines(line, config, name, words);
     const auto written = [&] {
         if (has_cells(config)) return write_upper_cells(entries, boxes, lines, line, placed);
-        BinaryTree tree = build_tree(boxes);
-        if (thorough) optimise_tree(tree);
+        BinaryTree tree = bvh::build_tree(boxes);
+        if (thorough) bvh::optimise_tree(tree);
         return config.engine() == Structure::spheres
                    ? write_tree<UpperGlobes>(entries, tree, lines, line, placed)
                    : write_tree<UpperBoxes>(entries, tree, lines, line, placed);

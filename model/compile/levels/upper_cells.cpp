@@ -6,16 +6,15 @@
 namespace rayclock {
 namespace {
 
-/// `Line` is the type of a node.
-template <class Line> class CellWriter {
+template <class Engine> class CellWriter {
 public:
     CellWriter(UpperLines& lines, UpperTotals& totals) : lines_(lines), totals_(totals) {}
 
     /// Writes a subtree. Returns the number of sibling groups that a ray may have to keep below the node.
     int write(const cells::CellPart& place, std::uint32_t at, int depth) {
-        Line line;
+        typename Engine::Node line;
         const int width = lines_.config().node_width;
-        const std::array<cells::CellPart, max_width> exits = cells::Exits<Line>(1).of(place, width, line);
+        const std::array<cells::CellPart, max_width> exits = cells::Exits<Engine>(1).of(place, width, line);
         std::uint32_t count = 0;
         for (std::size_t i = 0; i < std::size_t(width); ++i) {
             line.kind[i] = !exits[i].is_empty();   // an instance takes the place of an inner child
@@ -50,7 +49,7 @@ UpperReport write_upper_cells(const std::vector<UpperEntry>& entries, const std:
     with_engine(config.engine(), [&]<class E>(E) {
         if constexpr (E::has_cells) {
             const cells::CellPtr cells = E::build(pieces, {}, config);
-            CellWriter<typename E::Node> writer(lines, totals);
+            CellWriter<E> writer(lines, totals);
             totals.report.stack_need = writer.write(cells::CellPart(cells.get()), root, 1);
         }
     });

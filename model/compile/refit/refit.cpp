@@ -40,7 +40,7 @@ void Refit::read(const MemoryImage& image) {
     nodes_.reserve(report_.nodes), leaves_.reserve(report_.leaves), content_.reserve(report_.references);
     nodes_.push_back({});
     for (std::size_t n = 0; n < nodes_.size(); ++n) {
-        const Node from = read_node(image, nodes_[n].line, config_);
+        const Node from = bvh::read_node(image, nodes_[n].line, config_);
         WideNode node = nodes_[n];
         node.base = from.base;
         node.first_inner = std::uint32_t(inner_.size()), node.first_leaf = std::uint32_t(leaves_.size());
@@ -57,7 +57,7 @@ void Refit::read(const MemoryImage& image) {
         if (node.leaves > 0)
             for (std::uint32_t k = leaves_[node.first_leaf].first, at = 2 * (node.base + node.inner);
                  k < content_.size(); ++k, ++at)
-                content_[k] = read_triangle(image, at, config_).prim;
+                content_[k] = read_primitive(image, at, config_).prim;
         nodes_[n] = node;
     }
 }
@@ -82,8 +82,8 @@ void Refit::fit() {
 /// in proportion to the surfaces of their boxes.
 double Refit::cost() const {
     double sum = 0;
-    for (const WideNode& node : nodes_) sum += node_cost * node.box.area();
-    for (const Leaf& leaf : leaves_) sum += double(triangle_cost) * leaf.count * box_of(leaf).area();
+    for (const WideNode& node : nodes_) sum += bvh::node_cost * node.box.area();
+    for (const Leaf& leaf : leaves_) sum += double(bvh::triangle_cost) * leaf.count * box_of(leaf).area();
     return sum / std::max(1.0, nodes_[0].box.area());
 }
 
@@ -96,7 +96,7 @@ void Refit::write(std::uint32_t root, bool in_mesh, std::uint32_t* words, std::u
 
 void Refit::write_node(const WideNode& node, std::uint32_t root, bool in_mesh, std::uint32_t* words) const {
     thread_local Words scratch;
-    std::array<NodeChild, max_width> children;
+    std::array<bvh::NodeChild, max_width> children;
     for (std::uint32_t i = 0; i < node.inner; ++i)
         children[i] = {nodes_[inner_[node.first_inner + i]].box, 0};
     std::size_t half = 2 * std::size_t(node.base + node.inner);
@@ -108,7 +108,7 @@ void Refit::write_node(const WideNode& node, std::uint32_t root, bool in_mesh, s
     }
     const std::span all(children.data(), node.inner + node.leaves);
     std::uint32_t* const at = &words[std::size_t(node.line) * words_per_line];
-    write_payload(encode_node(all, node.base + root, config_), config_, at, scratch);
+    write_payload(bvh::encode_node(all, node.base + root, config_), config_, at, scratch);
     if (in_mesh) set_line_kind(at, LineKind::mesh_node);
 }
 

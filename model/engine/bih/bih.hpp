@@ -20,7 +20,7 @@ PlaneSides pair_sides(const BoxRay& ray, std::uint32_t axis, std::int32_t lower_
                       const Config& config);
 
 /// Returns the exits that a ray meets, as treelet_exits() (kd/treelet.hpp) does for a treelet: one bit each,
-/// and t_near by child. Mirror of rtl/engine/bih/rc_bih.sv, latency engine::Bih::latency() + 1, one node per
+/// and t_near by child. Mirror of rtl/engine/bih/rc_bih.sv, latency bih::Engine::latency() + 1, one node per
 /// cycle.
 std::uint32_t bih_exits(const BoxRay& ray, const WideBih& node, const Config& config, std::uint32_t* t_near);
 /// Returns the unit's answer.

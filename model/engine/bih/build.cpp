@@ -55,8 +55,8 @@ cells::CellPtr build(const cells::Pieces& pieces, const Config& config) {
     std::vector<LatticeBox> boxes;
     boxes.reserve(items.size());
     for (const cells::Item& item : items) boxes.push_back(item.box);
-    BinaryTree tree = build_tree(boxes);
-    optimise_tree(tree);
+    BinaryTree tree = bvh::build_tree(boxes);
+    bvh::optimise_tree(tree);
     cells::CellPtr root = Builder(tree, items, config).cell(tree.root);
     cells::Treelets(config).settle(*root, pieces.has_endless());
     return pieces.with_endless(std::move(root));

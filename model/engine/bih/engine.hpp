@@ -5,22 +5,10 @@
 #include "model/engine/cells/exits.hpp"
 #include "model/engine/parts.hpp"
 
-namespace rayclock {
-
-inline void put(const cells::Cell& cell, std::size_t plane, BihNode& node) {
-    node.axis[plane] = cell.axis;
-    if (cell.axis == no_axis) return;
-    node.lower_to[plane] = cell.lower->bounds.hi[cell.axis];
-    node.upper_from[plane] = cell.upper->bounds.lo[cell.axis];
-}
-inline void put_none(std::size_t plane, BihNode& node) { node.axis[plane] = no_axis; }
-
-}   // namespace rayclock
-
-namespace rayclock::engine {
+namespace rayclock::bih {
 
 /// Members: model/engine/engines.hpp.
-struct Bih : OfBoxRay<BihNode>, OfCells<BihNode, WideBih> {
+struct Engine : engine::OfBoxRay<BihNode>, engine::OfCells<BihNode, WideBih> {
     static constexpr Structure structure = Structure::bih;
     static constexpr const char* node_name = "bih_node";
 
@@ -35,10 +23,17 @@ struct Bih : OfBoxRay<BihNode>, OfCells<BihNode, WideBih> {
     static NodeAnswer answer(const Request& request, const Config& config) {
         return bih_answer(request, config);
     }
+    static void put(const cells::Cell& cell, std::size_t plane, BihNode& node) {
+        node.axis[plane] = cell.axis;
+        if (cell.axis == no_axis) return;
+        node.lower_to[plane] = cell.lower->bounds.hi[cell.axis];
+        node.upper_from[plane] = cell.upper->bounds.lo[cell.axis];
+    }
+    static void put_none(std::size_t plane, BihNode& node) { node.axis[plane] = no_axis; }
     static cells::CellPtr build(const cells::Pieces& pieces, const std::vector<PrimData>&,
                                 const Config& config) {
         return bih::build(pieces, config);
     }
 };
 
-}   // namespace rayclock::engine
+}   // namespace rayclock::bih

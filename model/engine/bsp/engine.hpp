@@ -5,20 +5,10 @@
 #include "model/engine/cells/exits.hpp"
 #include "model/engine/parts.hpp"
 
-namespace rayclock {
-
-inline void put(const cells::Cell& cell, std::size_t plane, Slant& slant) {
-    for (std::size_t k = 0; k < 3; ++k) slant.normal[3 * plane + k] = cell.normal[k];
-    slant.at[plane] = cell.at;
-}
-inline void put_none(std::size_t, Slant&) {}
-
-}   // namespace rayclock
-
-namespace rayclock::engine {
+namespace rayclock::bsp {
 
 /// Members: model/engine/engines.hpp.
-struct Bsp : OfCells<Slant, WideSlant> {
+struct Engine : engine::OfCells<Slant, WideSlant> {
     static constexpr Structure structure = Structure::bsp;
     using Node = rayclock::Slant;
     using Request = SlantReq;
@@ -40,10 +30,15 @@ struct Bsp : OfCells<Slant, WideSlant> {
         return slant_exits(form.box, form.along, node, config, t_near);
     }
     static NodeAnswer answer(const Request& request, const Config& config) { return slant(request, config); }
+    static void put(const cells::Cell& cell, std::size_t plane, Slant& slant) {
+        for (std::size_t k = 0; k < 3; ++k) slant.normal[3 * plane + k] = cell.normal[k];
+        slant.at[plane] = cell.at;
+    }
+    static void put_none(std::size_t, Slant&) {}
     static cells::CellPtr build(const cells::Pieces& pieces, const std::vector<PrimData>& prims,
                                 const Config& config) {
         return bsp::build(pieces, prims, config);
     }
 };
 
-}   // namespace rayclock::engine
+}   // namespace rayclock::bsp

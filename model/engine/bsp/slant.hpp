@@ -34,7 +34,7 @@ PlaneSides crossing(const Vec3i& o, const Vec3i& along, const Vec3i& normal, std
                     const Config& config);
 
 /// Returns the exits of a slant that a ray meets, as treelet_exits() (kd/treelet.hpp) does for a treelet.
-/// Mirror of rtl/engine/bsp/rc_slant.sv, latency engine::Bsp::latency() + 1, one slant per cycle.
+/// Mirror of rtl/engine/bsp/rc_slant.sv, latency bsp::Engine::latency() + 1, one slant per cycle.
 std::uint32_t slant_exits(const BoxRay& ray, const Vec3i& along, const WideSlant& slant, const Config& config,
                           std::uint32_t* t_near);
 /// Returns the unit's answer.

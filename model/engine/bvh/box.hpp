@@ -30,7 +30,7 @@ WideNode widen(const Node& node, int node_width);
 ///
 /// If the chip shades, M is ray_dir_bits() here, which is also the base of len. o may then lie between
 /// lattice points: D of near uses the point further along the ray, D of far the other one
-/// (docs/proofs/origins.md, Boxes). Mirror of rtl/engine/bvh/rc_box.sv, latency engine::Bvh::latency() + 1,
+/// (docs/proofs/origins.md, Boxes). Mirror of rtl/engine/bvh/rc_box.sv, latency bvh::Engine::latency() + 1,
 /// one node every Config::box_interval() cycles.
 ///
 /// Returns the children met, one bit each, and writes t_near by child.

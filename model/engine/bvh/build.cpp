@@ -5,7 +5,7 @@
 
 #include "model/engine/bvh/divide.hpp"
 
-namespace rayclock {
+namespace rayclock::bvh {
 
 namespace {
 
@@ -74,4 +74,4 @@ std::vector<std::uint32_t> top_down(const BinaryTree& tree, std::vector<std::siz
     return order;
 }
 
-}   // namespace rayclock
+}   // namespace rayclock::bvh

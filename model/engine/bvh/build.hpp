@@ -5,7 +5,7 @@
 
 #include "model/layout/tree.hpp"
 
-namespace rayclock {
+namespace rayclock::bvh {
 
 /// Builds a tree top-down by the surface area heuristic (Wald 2007, "On fast construction of SAH-based
 /// bounding volume hierarchies"). It bins large ranges and tries every position in small ones. It splits at
@@ -21,4 +21,4 @@ void optimise_tree(BinaryTree& tree);
 /// of each level, and the end.
 std::vector<std::uint32_t> top_down(const BinaryTree& tree, std::vector<std::size_t>* levels = nullptr);
 
-}   // namespace rayclock
+}   // namespace rayclock::bvh

@@ -7,7 +7,7 @@
 
 #include "model/engine/bvh/build.hpp"
 
-namespace rayclock {
+namespace rayclock::bvh {
 
 namespace {
 
@@ -95,4 +95,4 @@ void Collapse::boxes(std::uint32_t index, std::vector<std::uint32_t>& out) const
     boxes(node.right, out);
 }
 
-}   // namespace rayclock
+}   // namespace rayclock::bvh

@@ -10,7 +10,7 @@
 
 #include "model/layout/tree.hpp"
 
-namespace rayclock {
+namespace rayclock::bvh {
 
 // Costs of a node visit and of a triangle test, as weights of the SAH. Measured on the seven SPD scenes with
 // leaves of 2: from 1 down to 0.6 visits fall by up to 1.6 %. Below that tests rise faster (gears 4.15 to
@@ -49,4 +49,4 @@ private:
     std::vector<std::uint8_t> leaf_;   // 1: best as a leaf if it is one child
 };
 
-}   // namespace rayclock
+}   // namespace rayclock::bvh

@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace rayclock {
+namespace rayclock::bvh {
 
 namespace {
 
@@ -131,4 +131,4 @@ std::size_t divide(std::span<BoxItem> part, const LatticeBox& centres, int depth
     return part.size() <= sweep_below ? sweep(part) : bin(part, centres);
 }
 
-}   // namespace rayclock
+}   // namespace rayclock::bvh

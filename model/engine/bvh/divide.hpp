@@ -4,7 +4,7 @@
 
 #include "model/layout/tree.hpp"
 
-namespace rayclock {
+namespace rayclock::bvh {
 
 struct BoxItem {
     LatticeBox box;
@@ -18,4 +18,4 @@ constexpr int max_sah_depth = 64;             // deeper levels halve: at most 24
 /// half lattice steps (LatticeBox::centre).
 std::size_t divide(std::span<BoxItem> part, const LatticeBox& centres, int depth);
 
-}   // namespace rayclock
+}   // namespace rayclock::bvh

@@ -1,7 +1,7 @@
 // Quantises the child boxes of a node.
 #include "model/engine/bvh/encode.hpp"
 
-namespace rayclock {
+namespace rayclock::bvh {
 
 namespace {
 
@@ -32,4 +32,4 @@ Node encode_node(std::span<const NodeChild> children, std::uint32_t base, const 
     return node;
 }
 
-}   // namespace rayclock
+}   // namespace rayclock::bvh

@@ -5,7 +5,7 @@
 #include "model/engine/bvh/node.hpp"
 #include "model/layout/tree.hpp"
 
-namespace rayclock {
+namespace rayclock::bvh {
 
 /// A child of a node to be written: its exact box, and its number of triangles (0: an inner child). Inner
 /// children come first.
@@ -24,4 +24,4 @@ inline std::int64_t dequantised(const Node& node, std::uint32_t k, std::size_t a
     return node.org[axis] + (std::int64_t(k) << node.exp[axis]);
 }
 
-}   // namespace rayclock
+}   // namespace rayclock::bvh

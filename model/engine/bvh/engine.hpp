@@ -3,10 +3,10 @@
 #include "model/engine/bvh/box.hpp"
 #include "model/engine/parts.hpp"
 
-namespace rayclock::engine {
+namespace rayclock::bvh {
 
 /// Members: model/engine/engines.hpp.
-struct Bvh : OfBoxRay<rayclock::Node> {
+struct Engine : engine::OfBoxRay<rayclock::Node> {
     static constexpr Structure structure = Structure::bvh;
     using Wide = WideNode;
     using Reader = NodeReader;
@@ -25,4 +25,4 @@ struct Bvh : OfBoxRay<rayclock::Node> {
     static NodeAnswer answer(const Request& request, const Config& config) { return box(request, config); }
 };
 
-}   // namespace rayclock::engine
+}   // namespace rayclock::bvh

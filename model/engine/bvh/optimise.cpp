@@ -4,7 +4,7 @@
 
 #include <tbb/parallel_for.h>
 
-namespace rayclock {
+namespace rayclock::bvh {
 
 namespace {
 
@@ -155,4 +155,4 @@ private:
 
 void optimise_tree(BinaryTree& tree) { Optimiser{tree}.run(); }
 
-}   // namespace rayclock
+}   // namespace rayclock::bvh

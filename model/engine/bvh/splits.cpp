@@ -9,7 +9,7 @@
 #include "model/engine/bvh/divide.hpp"
 #include "model/engine/cells/clip.hpp"
 
-namespace rayclock {
+namespace rayclock::bvh {
 
 namespace {
 
@@ -244,4 +244,4 @@ BinaryTree build_split_tree(const std::vector<LatticeBox>& boxes, const std::vec
     return tree;
 }
 
-}   // namespace rayclock
+}   // namespace rayclock::bvh

@@ -3,7 +3,7 @@
 #include "model/core/config.hpp"
 #include "model/layout/tree.hpp"
 
-namespace rayclock {
+namespace rayclock::bvh {
 
 /// Builds a tree as build_tree() does. Where the boxes of both sides would overlap by more than 1e-5 of the
 /// root's surface, a plane may cut the cell instead. It tries 15 planes on each axis and needs a lower cost
@@ -20,4 +20,4 @@ constexpr double max_split_references = 2;
 BinaryTree build_split_tree(const std::vector<LatticeBox>& boxes, const std::vector<PrimData>& prims,
                             const Config& config);
 
-}   // namespace rayclock
+}   // namespace rayclock::bvh

@@ -24,33 +24,35 @@ struct CellPart {
 };
 
 /// Computes the exits of a node for a part of a cell, with at most `most` primitives in each exit, and writes
-/// the node's planes and box. `Line` is a node with planes; its engine defines put() and put_none() for it.
-template <class Line> class Exits {
+/// the node's planes and box. `Engine` is the descriptor of an engine of cells (model/engine/engines.hpp).
+template <class Engine> class Exits {
+    using Node = typename Engine::Node;
+
 public:
     explicit Exits(std::size_t most) : most_(most) {}
 
-    std::array<CellPart, max_width> of(const CellPart& place, int node_width, Line& line) {
+    std::array<CellPart, max_width> of(const CellPart& place, int node_width, Node& node) {
         const LatticeBox& bounds = place.cell->bounds;
-        line.open = bounds.lo[0] > bounds.hi[0];
-        if (!line.open) line.lo = bounds.lo, line.hi = bounds.hi;
-        fill(place, 0, 0, std::size_t(node_width), line);
+        node.open = bounds.lo[0] > bounds.hi[0];
+        if (!node.open) node.lo = bounds.lo, node.hi = bounds.hi;
+        fill(place, 0, 0, std::size_t(node_width), node);
         return exits_;
     }
 
 private:
     /// Fills the part of the node under plane `plane`, whose exits start at `exit`.
-    void fill(const CellPart& place, std::size_t plane, std::size_t exit, std::size_t exits, Line& line) {
+    void fill(const CellPart& place, std::size_t plane, std::size_t exit, std::size_t exits, Node& node) {
         if (exits == 1 || plane + 1 >= max_width) {   // the second condition is for GCC 14's analysis
             exits_[exit] = place;
             return;
         }
         const bool cut = !place.is_leaf(most_) && (plane == 0 || !place.cell->begins);
         if (cut && !place.cell->is_leaf())
-            put(*place.cell, plane, line);
+            Engine::put(*place.cell, plane, node);
         else
-            put_none(plane, line);
-        fill(cut ? place.lower() : place, 2 * plane + 1, exit, exits / 2, line);
-        fill(cut ? place.upper() : CellPart(), 2 * plane + 2, exit + exits / 2, exits / 2, line);
+            Engine::put_none(plane, node);
+        fill(cut ? place.lower() : place, 2 * plane + 1, exit, exits / 2, node);
+        fill(cut ? place.upper() : CellPart(), 2 * plane + 2, exit + exits / 2, exits / 2, node);
     }
 
     std::size_t most_;

@@ -6,20 +6,10 @@
 #include "model/engine/octree/build.hpp"
 #include "model/engine/parts.hpp"
 
-namespace rayclock {
-
-inline void put(const cells::Cell& cell, std::size_t plane, Treelet& treelet) {
-    treelet.axis[plane] = cell.axis;
-    if (cell.axis != no_axis) treelet.at[plane] = cell.at;
-}
-inline void put_none(std::size_t plane, Treelet& treelet) { treelet.axis[plane] = no_axis; }
-
-}   // namespace rayclock
-
-namespace rayclock::engine {
+namespace rayclock::kd {
 
 /// Members: model/engine/engines.hpp.
-struct Kd : OfBoxRay<Treelet>, OfCells<Treelet, WideTreelet> {
+struct Engine : engine::OfBoxRay<Treelet>, engine::OfCells<Treelet, WideTreelet> {
     static constexpr Structure structure = Structure::kd;
     static constexpr const char* node_name = "treelet";
 
@@ -34,10 +24,15 @@ struct Kd : OfBoxRay<Treelet>, OfCells<Treelet, WideTreelet> {
     static NodeAnswer answer(const Request& request, const Config& config) {
         return treelet(request, config);
     }
+    static void put(const cells::Cell& cell, std::size_t plane, Treelet& treelet) {
+        treelet.axis[plane] = cell.axis;
+        if (cell.axis != no_axis) treelet.at[plane] = cell.at;
+    }
+    static void put_none(std::size_t plane, Treelet& treelet) { treelet.axis[plane] = no_axis; }
     static cells::CellPtr build(const cells::Pieces& pieces, const std::vector<PrimData>&,
                                 const Config& config) {
         return config.is_octree() ? octree::build(pieces, config) : kd::build(pieces, config);
     }
 };
 
-}   // namespace rayclock::engine
+}   // namespace rayclock::kd

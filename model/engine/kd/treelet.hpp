@@ -22,7 +22,7 @@ WideTreelet widen(const Treelet& treelet, int node_width);
 /// floor(2^x r w_lo) at the earliest. It leaves the near side at f + floor(f / 2^(R-1)) + 2 + 2^(x+R) (w_hi -
 /// w_lo) at the latest. If w_hi <= 0, the ray is on the far side only, from the start. For a ray that does
 /// not move on the axis, only the side matters. An exit is met if the latest entry on its way is not beyond
-/// the earliest end. Mirror of rtl/engine/kd/rc_treelet.sv, latency engine::Kd::latency() + 1, one treelet
+/// the earliest end. Mirror of rtl/engine/kd/rc_treelet.sv, latency kd::Engine::latency() + 1, one treelet
 /// per cycle.
 ///
 /// Returns the children of `exits` that are met, one bit each, and writes t_near by child.

@@ -3,7 +3,7 @@
 
 #include <tbb/parallel_for.h>
 
-namespace rayclock {
+namespace rayclock::spheres {
 
 namespace {
 
@@ -29,15 +29,15 @@ struct Order {
     std::vector<std::uint32_t> prims, first, count;
 };
 
-std::vector<std::uint32_t> children_of(const BinaryTree& tree, const Collapse& collapse) {
+std::vector<std::uint32_t> children_of(const BinaryTree& tree, const bvh::Collapse& collapse) {
     std::vector<std::uint32_t> all, pending{tree.root};
-    std::vector<WideChild> found;
+    std::vector<bvh::WideChild> found;
     while (!pending.empty()) {
         const std::uint32_t node = pending.back();
         pending.pop_back();
         found.clear();
         collapse.children(node, found);
-        for (const WideChild& child : found) {
+        for (const bvh::WideChild& child : found) {
             all.push_back(child.node);
             if (!child.leaf) pending.push_back(child.node);
         }
@@ -47,7 +47,7 @@ std::vector<std::uint32_t> children_of(const BinaryTree& tree, const Collapse& c
 
 }   // namespace
 
-GlobesAround::GlobesAround(const BinaryTree& tree, const Collapse& collapse, const AddBeads& add)
+GlobesAround::GlobesAround(const BinaryTree& tree, const bvh::Collapse& collapse, const AddBeads& add)
     : globes_(tree.nodes.size()) {
     const Order order(tree);
     const std::vector<std::uint32_t> children = children_of(tree, collapse);
@@ -60,4 +60,4 @@ GlobesAround::GlobesAround(const BinaryTree& tree, const Collapse& collapse, con
     });
 }
 
-}   // namespace rayclock
+}   // namespace rayclock::spheres

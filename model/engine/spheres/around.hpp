@@ -5,14 +5,14 @@
 #include "model/engine/bvh/collapse.hpp"
 #include "model/engine/spheres/enclose.hpp"
 
-namespace rayclock {
+namespace rayclock::spheres {
 
 /// The globe around the contents of each child of each node that the collapse makes of a tree.
 class GlobesAround {
 public:
     /// `add` appends the beads of one of the tree's boxes. Any thread may call it.
     using AddBeads = std::function<void(std::uint32_t box, std::vector<Bead>& out)>;
-    GlobesAround(const BinaryTree& tree, const Collapse& collapse, const AddBeads& add);
+    GlobesAround(const BinaryTree& tree, const bvh::Collapse& collapse, const AddBeads& add);
     /// Returns the globe of a child, by its node in the tree.
     const Globe& operator[](std::uint32_t node) const { return globes_[node]; }
 
@@ -20,4 +20,4 @@ private:
     std::vector<Globe> globes_;
 };
 
-}   // namespace rayclock
+}   // namespace rayclock::spheres

@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace rayclock {
+namespace rayclock::spheres {
 
 namespace {
 
@@ -139,4 +139,4 @@ Globe enclose(std::span<const Bead> beads) {
     return least;
 }
 
-}   // namespace rayclock
+}   // namespace rayclock::spheres

@@ -7,7 +7,7 @@
 
 #include "model/core/payloads.hpp"
 
-namespace rayclock {
+namespace rayclock::spheres {
 
 struct Globe {
     glm::dvec3 centre{};
@@ -29,4 +29,4 @@ void add_beads(const PrimData& prim, const Config& config, std::vector<Bead>& ou
 /// found one by one, so with spheres the globe is larger by at most 2^-10.
 Globe enclose(std::span<const Bead> beads);
 
-}   // namespace rayclock
+}   // namespace rayclock::spheres

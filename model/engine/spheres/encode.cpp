@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace rayclock {
+namespace rayclock::spheres {
 
 namespace {
 
@@ -49,4 +49,4 @@ GlobeNode encode_globes(std::span<const GlobeChild> children, std::uint32_t base
     return node;
 }
 
-}   // namespace rayclock
+}   // namespace rayclock::spheres

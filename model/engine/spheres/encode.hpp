@@ -3,7 +3,7 @@
 #include "model/engine/spheres/enclose.hpp"
 #include "model/engine/spheres/node.hpp"
 
-namespace rayclock {
+namespace rayclock::spheres {
 
 /// A child of a node to be written: its globe, and its number of primitives (0: an inner child). Inner
 /// children come first.
@@ -17,4 +17,4 @@ struct GlobeChild {
 /// least with which all fit.
 GlobeNode encode_globes(std::span<const GlobeChild> children, std::uint32_t base, const Config& config);
 
-}   // namespace rayclock
+}   // namespace rayclock::spheres

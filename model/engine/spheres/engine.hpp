@@ -3,16 +3,16 @@
 #include "model/engine/parts.hpp"
 #include "model/engine/spheres/globe.hpp"
 
-namespace rayclock::engine {
+namespace rayclock::spheres {
 
 /// Members: model/engine/engines.hpp.
-struct Globes {
+struct Engine {
     static constexpr Structure structure = Structure::spheres;
     using Node = rayclock::GlobeNode;
     using Request = GlobeReq;
     using RayForm = GlobeRay;
     using Wide = WideGlobes;
-    using Reader = WidenedReader<Node>;
+    using Reader = engine::WidenedReader<Node>;
     static constexpr bool has_cells = false;
     static constexpr const char* node_name = "globe_node";
 
@@ -34,4 +34,4 @@ struct Globes {
     static NodeAnswer answer(const Request& request, const Config& config) { return globe(request, config); }
 };
 
-}   // namespace rayclock::engine
+}   // namespace rayclock::spheres

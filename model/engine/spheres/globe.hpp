@@ -45,8 +45,8 @@ WideGlobes widen(const GlobeNode& node, int node_width);
 /// The globe lies behind the origin if A + H < -1, or -99 if the chip shades. t_near is
 ///         floor(2^(F + M - 20 - len + exp - n) K max(A - H, 0)),
 /// saturated, where K is 2^(49 + n) / |e|^2 from below, by near_inverse_table(), and n makes K 17 bits long.
-/// M is ray_dir_bits() here. Mirror of rtl/engine/spheres/rc_globe.sv, latency engine::Globes::latency() + 1,
-/// one node per cycle.
+/// M is ray_dir_bits() here. Mirror of rtl/engine/spheres/rc_globe.sv, latency spheres::Engine::latency() +
+/// 1, one node per cycle.
 ///
 /// Returns the children met, one bit each, and writes t_near by child.
 std::uint32_t globe_children(const GlobeRay& ray, const WideGlobes& node, const Config& config,

@@ -8,9 +8,10 @@
 
 namespace rayclock {
 
-/// A node of a hierarchy of globes (bounding spheres) in a memory line of 64 bytes (right-aligned). Globe i
-/// has its centre at org + (centre << exp) and the radius radius << exp, in lattice steps. Kinds and the
-/// block at line `base` are those of Node.
+/// A node of a hierarchy of globes in a memory line of 64 bytes (right-aligned). A *globe* is a bounding
+/// sphere; a *sphere* is a primitive. Only the structure, and so this folder and its namespace, is called
+/// spheres, as in the parameter `structure`. Globe i has its centre at org + (centre << exp) and the radius
+/// radius << exp, in lattice steps. Kinds and the block at line `base` are those of Node.
 struct GlobeNode {
     Vec3i org{};
     std::uint32_t exp = 0;

@@ -63,7 +63,7 @@ template <class Use> void each_ball(int size, const Use& use) {
     each_ball(child_directions(), size, glm::dvec3(0), 0.5, {0, 0, 1}, use);
 }
 
-std::uint64_t spheres(int size) {
+std::uint64_t sphere_count(int size) {
     std::uint64_t nine_to_the = 9;
     for (int i = 0; i < size; ++i) nine_to_the *= 9;
     return (nine_to_the - 1) / 8;
@@ -89,15 +89,16 @@ void begin_balls(Scene& scene, MeshWriter& mesh) {
 }   // namespace
 
 PrimitiveCounts balls_counts(int size, Primitives primitives) {
-    if (primitives == Primitives::native) return {.triangles = 2, .spheres = spheres(size)};
-    return {.triangles = spheres(size) * sphere_triangles + 2};
+    if (primitives == Primitives::native) return {.triangles = 2, .spheres = sphere_count(size)};
+    return {.triangles = sphere_count(size) * sphere_triangles + 2};
 }
 
 Scene make_balls(int size, Primitives primitives) {
     const bool is_cut = primitives == Primitives::triangles;
     Scene scene;
     MeshWriter mesh(scene, primitives);
-    mesh.reserve((is_cut ? spheres(size) * sphere_vertices : 0) + 4, balls_counts(size, primitives), is_cut);
+    mesh.reserve((is_cut ? sphere_count(size) * sphere_vertices : 0) + 4, balls_counts(size, primitives),
+                 is_cut);
     begin_balls(scene, mesh);
     each_ball(size, [&](const glm::dvec3& centre, double radius) { mesh.sphere(centre, radius); });
     return scene;

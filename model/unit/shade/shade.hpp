@@ -88,17 +88,23 @@ public:
 
     /// The next need of a ray after its answer.
     enum class Fetch : std::uint8_t { none, surface, instance };
-    /// One clock edge. `closest`, `fetch`: the ray whose answer arrived, and its need. `surface`, `place`:
-    /// the rays whose surface and whose instance arrived. The last flags: these outputs were accepted.
-    /// `textured`: the ray whose texture colour arrived; `texture_taken`: tex accepted a hit. `turn(ray)`
-    /// returns the outcome of a pass.
+    /// What reaches the unit in a cycle, and which of its outputs were accepted.
+    struct Inputs {
+        LinkRay closest{};           ///< the ray whose answer arrived
+        Fetch fetch = Fetch::none;   ///< its need
+        LinkRay surface{};           ///< the ray whose surface arrived
+        LinkRay place{};             ///< the ray whose instance arrived
+        LinkRay textured{};          ///< the ray whose texture colour arrived
+        bool surf_taken = false;     ///< by surf_cache: a request for a surface or an instance
+        bool spawn_taken = false, pixel_taken = false;
+        bool texture_taken = false;   ///< by tex: a hit
+    };
+    /// One clock edge. `turn(ray)` returns the outcome of a pass.
     template <bool levels = false, bool textures = false, bool few = false, class Decide>
-    void clock(std::uint64_t now, LinkRay closest, Fetch fetch, LinkRay surface, LinkRay place,
-               bool surf_taken, bool spawn_taken, bool pixel_taken, LinkRay textured, bool texture_taken,
-               Decide&& turn) {
+    void clock(std::uint64_t now, Inputs in, Decide&& turn) {
         for (std::size_t i = 0; i < closest_delay_; ++i) {   // the unit sees an arrival in a later cycle
-            std::swap(closest, came_[i]);
-            std::swap(fetch, arrived_fetches_[i]);
+            std::swap(in.closest, came_[i]);
+            std::swap(in.fetch, arrived_fetches_[i]);
         }
         const bool open = ready(), again = !again_.empty(), arrived = !arrived_.empty(),
                    shown = textures && !textured_.empty();
@@ -106,26 +112,26 @@ public:
         const RayNumber done = pass_.front();
         if constexpr (levels) {
             const bool second = surf_link_.second(!fetch_.empty());
-            surf_link_.clock(surf_valid<levels>(), surf_taken, second);
-            places_.pop(surf_taken & second);
-            fetch_.pop(surf_taken & !second);
+            surf_link_.clock(surf_valid<levels>(), in.surf_taken, second);
+            places_.pop(in.surf_taken & second);
+            fetch_.pop(in.surf_taken & !second);
         } else {
-            fetch_.pop(surf_taken);
+            fetch_.pop(in.surf_taken);
         }
-        spawns_.pop(spawn_taken);
-        pixels_.pop(pixel_taken);
-        const RayNumber next = surface.valid ? RayNumber(surface.ray)
-                               : again       ? again_.front<few>()
-                               : shown       ? textured_.front<few>()
-                                             : arrived_.front<few>();
-        const bool enters = open & (surface.valid | again | shown | arrived);
+        spawns_.pop(in.spawn_taken);
+        pixels_.pop(in.pixel_taken);
+        const RayNumber next = in.surface.valid ? RayNumber(in.surface.ray)
+                               : again          ? again_.front<few>()
+                               : shown          ? textured_.front<few>()
+                                                : arrived_.front<few>();
+        const bool enters = open & (in.surface.valid | again | shown | arrived);
         pass_.clock(now, answer, enters, next);
         hold_left_ = enters ? hold_cycles_ : hold_left_ - is_occupied();
-        again_.pop(open & !surface.valid & again);
-        arrived_.pop(open & !surface.valid & !again & !shown & arrived);
+        again_.pop(open & !in.surface.valid & again);
+        arrived_.pop(open & !in.surface.valid & !again & !shown & arrived);
         if constexpr (textures) {
-            textured_.pop(open & !surface.valid & !again & shown);
-            textures_.pop(texture_taken);
+            textured_.pop(open & !in.surface.valid & !again & shown);
+            textures_.pop(in.texture_taken);
         }
         if (answer) switch (turn(done)) {
                 case Leave::again: again_.push(done); break;
@@ -133,14 +139,14 @@ public:
                 case Leave::pixel: pixels_.push(done); break;
                 case Leave::texture: textures_.push(done); break;
             }
-        if constexpr (textures) textured_.push(RayNumber(textured.ray), textured.valid);
+        if constexpr (textures) textured_.push(RayNumber(in.textured.ray), in.textured.valid);
         if constexpr (levels) {
-            fetch_.push<few>(RayNumber(place.ray), place.valid);
-            places_.push<few>(RayNumber(closest.ray), closest.valid & (fetch == Fetch::instance));
+            fetch_.push<few>(RayNumber(in.place.ray), in.place.valid);
+            places_.push<few>(RayNumber(in.closest.ray), in.closest.valid & (in.fetch == Fetch::instance));
         } else {
-            fetch_.push<few>(RayNumber(closest.ray), closest.valid & (fetch == Fetch::surface));
+            fetch_.push<few>(RayNumber(in.closest.ray), in.closest.valid & (in.fetch == Fetch::surface));
         }
-        arrived_.push<few>(RayNumber(closest.ray), closest.valid & (fetch == Fetch::none));
+        arrived_.push<few>(RayNumber(in.closest.ray), in.closest.valid & (in.fetch == Fetch::none));
     }
 
 private:

@@ -6,7 +6,7 @@
 #include "model/layout/memory_image.hpp"
 #include "model/scene/hit.hpp"
 #include "model/scene/whitted.hpp"
-#include "model/unit/shade/pass.hpp"
+#include "model/unit/shade/pass/pass.hpp"
 #include "model/unit/tex/texel.hpp"
 
 namespace rayclock {

@@ -4,8 +4,8 @@
 #include <bit>
 #include <cmath>
 
-#include "model/unit/shade/dot.hpp"
-#include "model/unit/shade/tables.hpp"
+#include "model/fixed/rounding.hpp"
+#include "model/fixed/tables.hpp"
 
 namespace rayclock {
 

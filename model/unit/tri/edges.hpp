@@ -1,6 +1,6 @@
 #pragma once
 // The exact triangle test in numbers of 64 or 128 bits. No other place in the model has its formulas.
-// tri_test(), test_primitive(), the recorder and the tests of origins use its answer.
+// tri_test(), any_primitive_test(), the recorder and the tests of origins use its answer.
 #include <cassert>
 
 #include "model/core/payloads.hpp"

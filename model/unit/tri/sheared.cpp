@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "model/unit/tri/edges.hpp"
-#include "model/unit/tri/primitive.hpp"
+#include "model/unit/tri/tri_test.hpp"
 #include "model/unit/tri/tri.hpp"
 
 namespace rayclock {

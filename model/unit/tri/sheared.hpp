@@ -1,6 +1,6 @@
 #pragma once
 // The sheared triangle test of unit tri, as pure functions.
-#include "model/unit/tri/primitive.hpp"
+#include "model/unit/tri/tri_test.hpp"
 
 namespace rayclock {
 

@@ -3,7 +3,7 @@
 
 #include "model/unit/tri/edges.hpp"
 #include "model/unit/tri/sheared.hpp"
-#include "model/unit/tri/test_primitive.hpp"
+#include "model/unit/tri/any_primitive.hpp"
 
 namespace rayclock {
 
@@ -32,7 +32,7 @@ TriRsp tri(const TriReq& req, const Config& config) {
         ray.self = req.self;
         ray.is_inside = req.is_inside;
         ray.is_partial = req.is_partial;
-        test_primitive(ray, req.triangle, req.best, config, rsp);
+        any_primitive_test(ray, req.triangle, req.best, config, rsp);
     } else if (config.is_sheared()) {
         sheared_test(req.o, req.shear, req.triangle, req.best, config, rsp);
     } else {

@@ -11,7 +11,7 @@
 // that need another pass, then contexts whose texture colour has arrived, then answers of other
 // rays. Latency rc_pkg::ShadeLatency + 1 from a pass to its output, more if the context passes
 // again. closest_i is always accepted; slot_i and ray_i are observed. The user holds frame_i while
-// rays are in flight. Model: model/unit/shade/shade.hpp (timing), model/unit/shade/pass.hpp
+// rays are in flight. Model: model/unit/shade/shade.hpp (timing), model/unit/shade/pass/pass.hpp
 // (values).
 `default_nettype none
 module rc_shade (
@@ -66,8 +66,7 @@ module rc_shade (
   assign frame_flat  = frame_i;
   assign shade_frame = rc_pkg::ShadeFrameW'(frame_flat);
 
-  // ---- Answers: a hit of a camera ray or bounce waits for its surface (A); others enter a pass
-  // (B).
+  // ---- Answers. A hit of a camera ray or bounce waits for its surface; others enter a pass.
   logic [RayBits-1:0]  closest_ray;
   logic [PrimBits-1:0] closest_prim;
   logic                requests_surface;
@@ -441,7 +440,7 @@ module rc_shade (
     .leave_o(leave), .spawn_o(spawn), .pixel_o(pixel), .tex_req_o(tex_req),
     .push_o(push), .pushed_o(pushed));
 
-  // ---- Output: again (C), a ray (D), the pixel (E). Data of rays and pixels waits in memories by
+  // ---- Output: another pass, a ray or the pixel. Data of rays and pixels waits in memories by
   // context, or, with an interval above 1, in the queues.
   logic [RayBits-1:0] out_ray, spawn_ray, pixel_ray;
   logic [1:0]         out_leave;
@@ -502,7 +501,7 @@ module rc_shade (
       .pop_i(pixel_valid_o && pixel_ready_i), .data_o({pixel_ray, pixel_data}));
   end
 
-  // ---- With textures: hits that wait for tex, and contexts whose texture colour has arrived.
+  // ---- Textures: hits that wait for tex, and contexts whose texture colour has arrived.
   if (rc_pkg::HasTextures) begin : gen_textures
     localparam int unsigned TexDataW = rc_pkg::TexReqW - RayBits;
     logic [RayBits-1:0]  tex_ray;

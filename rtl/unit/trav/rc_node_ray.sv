@@ -7,8 +7,8 @@
 // chip, otherwise 0.
 `default_nettype none
 module rc_node_ray #(
-  parameter  int unsigned Structure = rc_pkg::Structure,
-  parameter  int unsigned FieldsW = rc_pkg::NodeReqBits - rc_pkg::NodeBits - rc_pkg::RayBits,
+  parameter  int unsigned Structure   = rc_pkg::Structure,
+  parameter  int unsigned FieldsW     = rc_pkg::NodeReqBits - rc_pkg::NodeBits - rc_pkg::RayBits,
   localparam int unsigned RayBits     = rc_pkg::RayBits,
   localparam int unsigned OriginWidth = rc_pkg::OriginWidth,
   localparam int unsigned RayDirBits  = rc_pkg::RayDirBits,
@@ -28,7 +28,7 @@ module rc_node_ray #(
   // Result
   output logic                     valid_o,
   output logic [RayBits-1:0]       ray_o,
-  output logic [FieldsW-1:0]         fields_o    // the origin is highest
+  output logic [FieldsW-1:0]       fields_o  // the origin is highest
 );
   if (Structure == rc_pkg::StructureSpheres) begin : gen_toward
     rc_globe_ray u_globe_ray (

@@ -31,54 +31,55 @@
 // Model: model/unit/trav/trav.hpp. The compiled scene must not need more than StackDepth groups.
 `default_nettype none
 module rc_trav (
-  input  logic              clk_i,
-  input  logic              rst_ni,
-  input  rc_pkg::frame_t    frame_i,
+  input  logic                           clk_i,
+  input  logic                           rst_ni,
+  input  rc_pkg::frame_t                 frame_i,
   // From raygen: a ray starts, and a ray arrives
-  input  logic              start_fires_i,
-  input  rc_pkg::start_t    start_i,
-  input  logic              ray_valid_i,
-  output logic              ray_ready_o,
-  input  rc_pkg::ray_t      ray_i,
+  input  logic                           start_fires_i,
+  input  rc_pkg::start_t                 start_i,
+  input  logic                           ray_valid_i,
+  output logic                           ray_ready_o,
+  input  rc_pkg::ray_t                   ray_i,
   // To and from node_cache
-  output logic              node_req_valid_o,
-  input  logic              node_req_ready_i,
-  output rc_pkg::node_req_t node_req_o,
-  input  logic              node_rsp_valid_i,
-  output logic              node_rsp_ready_o,
-  input  rc_pkg::node_rsp_t node_rsp_i,
-  input  logic              node_next_fires_i,   // in a fast chip: the next one comes, and its ray
-  input  logic [rc_pkg::RayBits-1:0] node_next_i,
+  output logic                           node_req_valid_o,
+  input  logic                           node_req_ready_i,
+  output rc_pkg::node_req_t              node_req_o,
+  input  logic                           node_rsp_valid_i,
+  output logic                           node_rsp_ready_o,
+  input  rc_pkg::node_rsp_t              node_rsp_i,
+  // In a fast chip: the next one comes, and its ray
+  input  logic                           node_next_fires_i,
+  input  logic [rc_pkg::RayBits-1:0]     node_next_i,
   // To and from the unit that decides nodes: box or its replacement
-  output logic              decide_req_valid_o,
-  input  logic              decide_req_ready_i,
+  output logic                           decide_req_valid_o,
+  input  logic                           decide_req_ready_i,
   output logic [rc_pkg::NodeReqBits-1:0] decide_req_o,
-  input  logic              decide_rsp_valid_i,
-  output logic              decide_rsp_ready_o,
-  input  rc_pkg::node_answer_t decide_rsp_i,
+  input  logic                           decide_rsp_valid_i,
+  output logic                           decide_rsp_ready_o,
+  input  rc_pkg::node_answer_t           decide_rsp_i,
   // With two structures: to the unit that decides the meshes' nodes
-  output logic              mesh_req_valid_o,
-  input  logic              mesh_req_ready_i,
+  output logic                           mesh_req_valid_o,
+  input  logic                           mesh_req_ready_i,
   output logic [rc_pkg::MeshReqBits-1:0] mesh_req_o,
   // To and from list
-  output logic              leaves_fires_o,
-  output rc_pkg::leaves_t   leaves_o,
-  input  logic              tested_valid_i,
-  output logic              tested_ready_o,
-  input  rc_pkg::tested_t   tested_i,
-  output logic              done_valid_o,
-  input  logic              done_ready_i,
-  output rc_pkg::done_t     done_o,
-  output logic              done_next_fires_o,   // in a fast chip: the next one comes
-  output rc_pkg::done_t     done_next_o,
+  output logic                           leaves_fires_o,
+  output rc_pkg::leaves_t                leaves_o,
+  input  logic                           tested_valid_i,
+  output logic                           tested_ready_o,
+  input  rc_pkg::tested_t                tested_i,
+  output logic                           done_valid_o,
+  input  logic                           done_ready_i,
+  output rc_pkg::done_t                  done_o,
+  output logic                           done_next_fires_o,  // in a fast chip: the next one comes
+  output rc_pkg::done_t                  done_next_o,
   // What it did: rc_pkg::trav_cause_e
-  output logic [rc_pkg::CauseBits-1:0] cause_o,
+  output logic [rc_pkg::CauseBits-1:0]   cause_o,
   // With two levels: to and from xform
-  output logic               xform_req_valid_o,
-  input  logic               xform_req_ready_i,
-  output rc_pkg::xform_req_t xform_req_o,
-  input  logic               change_fires_i,
-  input  rc_pkg::change_t    change_i
+  output logic                           xform_req_valid_o,
+  input  logic                           xform_req_ready_i,
+  output rc_pkg::xform_req_t             xform_req_o,
+  input  logic                           change_fires_i,
+  input  rc_pkg::change_t                change_i
 );
   localparam int unsigned RayBits    = rc_pkg::RayBits;
   localparam int unsigned AddrBits   = rc_pkg::AddrBits;
@@ -90,14 +91,14 @@ module rc_trav (
   localparam int unsigned OffsetBits = rc_pkg::OffsetBits;
   localparam int unsigned CountBits  = rc_pkg::CountBits;
 
-  // ---- Rays: the fields that the unit that decides nodes needs wait here for the ray's nodes.
+  // ---- Rays. Their fields that decide nodes wait here for the ray's nodes.
   localparam int unsigned NodeRayW = rc_pkg::DecideRayW;
 
   logic                    ray_fires, fields_valid;
   logic [3*RayDirBits-1:0] ray_d;
   logic [RayBits-1:0]      fields_ray;
   logic [NodeRayW-1:0]     new_fields, fields_flat;
-  rc_pkg::decide_ray_t       ray_fields;
+  rc_pkg::decide_ray_t     ray_fields;
 
   assign ray_fires = ray_valid_i && ray_ready_o;
   assign ray_d     = ray_i.d;
@@ -136,13 +137,13 @@ module rc_trav (
   assign decide_req_o    = decide_req;
 
   if (rc_pkg::Levels == 1) begin : gen_nodes
-    assign decide_req.ray_fields = ray_fields;
-    assign decide_req_valid_o    = node_rsp_valid_i;
-    assign node_rsp_ready_o      = decide_req_ready_i;
-    assign mesh_req_valid_o      = 1'b0;
-    assign mesh_req_o            = '0;
-    assign xform_req_valid_o     = 1'b0;
-    assign xform_req_o           = '0;
+    assign decide_req.ray_fields                           = ray_fields;
+    assign decide_req_valid_o                              = node_rsp_valid_i;
+    assign node_rsp_ready_o                                = decide_req_ready_i;
+    assign mesh_req_valid_o                                = 1'b0;
+    assign mesh_req_o                                      = '0;
+    assign xform_req_valid_o                               = 1'b0;
+    assign xform_req_o                                     = '0;
     assign {mesh_req, new_xform_ray, xform_ray, xform_req} = '0;
 
     logic unused;
@@ -239,16 +240,16 @@ module rc_trav (
   end
 
   // ---- Answers: box's answer (rsp0, then rsp1), and the ray's distance to beat.
-  rc_pkg::node_answer_t       rsp1;
+  rc_pkg::node_answer_t           rsp1;
   logic [rc_pkg::NodeAnswerW-1:0] rsp0, rsp1_flat;
-  logic                       rsp0_fires, rsp2_fires;
-  logic [TBits-1:0]           rsp1_t;
+  logic                           rsp0_fires, rsp2_fires;
+  logic [TBits-1:0]               rsp1_t;
 
   assign rsp0               = decide_rsp_i;
   assign rsp0_fires         = decide_rsp_valid_i;
   assign decide_rsp_ready_o = 1'b1;
 
-  logic [NodeWidth-1:0]               rsp1_within;   // children that lie no farther
+  logic [NodeWidth-1:0] rsp1_within;   // children that lie no farther
 
   rc_ray_t_max #(.Nears(NodeWidth)) u_reach (
     .clk_i, .rst_ni, .start_fires_i, .start_i,
@@ -344,13 +345,13 @@ module rc_trav (
     assign leafless_fires = leafless_fires_q;
   end
 
-  assign leaves_o       = leaves;
+  assign leaves_o = leaves;
 
   // ---- Steps: rays whose leaves are tested, and rays without leaves.
-  logic                  leafless_valid, leafless_ready, step_valid, step_ready;
-  logic [RayBits-1:0]    leafless_ray;
-  logic [TBits-1:0]      leafless_t;
-  rc_pkg::tested_t leafless;
+  logic               leafless_valid, leafless_ready, step_valid, step_ready;
+  logic [RayBits-1:0] leafless_ray;
+  logic [TBits-1:0]   leafless_t;
+  rc_pkg::tested_t    leafless;
 
   rc_queue #(.Width(RayBits + TBits), .Depth(Contexts)) u_leafless (
     .clk_i, .rst_ni, .push_i(leafless_fires), .data_i({leaves.ray, leaves_beat}),
@@ -372,7 +373,7 @@ module rc_trav (
     .second_valid_i(leafless_valid), .second_ready_o(leafless_ready), .second_i(leafless),
     .valid_o(step_valid), .ready_i(step_ready), .data_o(step_flat));
 
-  assign step    = step_flat;
+  assign step = step_flat;
 
   // A ray in recirculation counts as work if no step waits behind it.
   always_comb begin
@@ -380,11 +381,12 @@ module rc_trav (
     else            cause_o = step_ready ? rc_pkg::TravStarvedList : rc_pkg::TravBusyWork;
   end
 
-  // ---- Stage 0: a returning ray goes before a new step. It has no new children and no stop.
-  logic                  again_q, step_fires;
-  logic [RayBits-1:0]    again_ray_q, s0_ray;
-  logic [TBits-1:0]      again_t_q;
-  rc_pkg::tested_t again_tested;
+  // ---- Stage 0 of a step. A returning ray goes before a new step. It has no new children and no
+  // stop.
+  logic               again_q, step_fires;
+  logic [RayBits-1:0] again_ray_q, s0_ray;
+  logic [TBits-1:0]   again_t_q;
+  rc_pkg::tested_t    again_tested;
 
   assign step_ready = !again_q;
   assign step_fires = step_valid && step_ready;
@@ -396,7 +398,7 @@ module rc_trav (
     again_tested.t_best = again_t_q;
   end
 
-  // ---- Stage 1: the step and the ray's children.
+  // ---- Stage 1 of a step: the ray's children.
   logic                         s1_valid_q, s1_again_q;
   logic [rc_pkg::TestedW-1:0]   s1_tested_q, end_tested_flat;
   logic [rc_pkg::ChildrenW-1:0] stored_children, s1_children;   // inner children of each ray's node
@@ -422,10 +424,10 @@ module rc_trav (
     .clk_i, .data_i(s1_tested_q), .data_o(end_tested_flat));
   assign end_tested = end_tested_flat;
 
-  // ---- Last stage: the stack decides.
-  logic                 visit, done, again;
-  logic [AddrBits-1:0]  visit_base;
-  logic [SlotBits-1:0]  visit_slot;
+  // ---- Last stage of a step: the stack decides.
+  logic                visit, done, again;
+  logic [AddrBits-1:0] visit_base;
+  logic [SlotBits-1:0] visit_slot;
 
   rc_stack u_stack (
     .clk_i, .rst_ni, .s0_valid_i(again_q || step_fires), .s0_ray_i(s0_ray),
@@ -504,10 +506,10 @@ module rc_trav (
 `endif
 
   // Fields of a ray that only tri uses.
-  logic [rc_pkg::RayW-1:0]   ray_flat;
-  logic [rc_pkg::FrameW-1:0] frame_flat;
+  logic [rc_pkg::RayW-1:0]    ray_flat;
+  logic [rc_pkg::FrameW-1:0]  frame_flat;
   logic [rc_pkg::ChangeW-1:0] change_flat;
-  logic                      unused;
+  logic                       unused;
 
   assign ray_flat    = ray_i;
   assign frame_flat  = frame_i;

@@ -10,7 +10,7 @@
 // num and det are in units of 2^-OriginBits. For rays that begin beyond the lattice the unit is
 // 2^(FarDrop - OriginBits). A plane is a triangle whose edges do not count: u and v may then be
 // negative, and are returned as magnitude and sign. Model: flat_test() in
-// model/unit/tri/test_primitive.cpp.
+// model/unit/tri/any_primitive.cpp.
 `default_nettype none
 module rc_edges #(
   localparam int unsigned N           = rc_pkg::CoordBits,

@@ -2,8 +2,8 @@
 // square root, rounded so that t is never too small. Then the hit is compared with the best hit.
 //
 // Part of rc_tri, which delays the best hit. Formulas, rules, the error bound and the proof of the
-// widths: model/unit/tri/test_primitive.hpp. Model: sphere_test() in
-// model/unit/tri/test_primitive.cpp.
+// widths: model/unit/tri/any_primitive.hpp. Model: sphere_test() in
+// model/unit/tri/any_primitive.cpp.
 //
 // Latency rc_pkg::SphereStages, throughput 1 every rc_pkg::TriInterval cycles. With an interval
 // above 1, products share multipliers, and steps of the root and of the division share a stage.

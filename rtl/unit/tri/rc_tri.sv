@@ -5,7 +5,7 @@
 // model files have the formulas, tie rules and proven widths. A triangle seen edge-on never hits.
 //
 // If the chip shades, rays have several kinds, and primitives include planes and spheres
-// (model/unit/tri/test_primitive.hpp). For a ray from or to a light the answer is only whether
+// (model/unit/tri/any_primitive.hpp). For a ray from or to a light the answer is only whether
 // the primitive is in its way. Spheres have their own pipeline, rc_sphere, which is longer; the
 // others' answers wait for it.
 //
@@ -377,6 +377,8 @@ module rc_tri (
     logic [EdgeBits-1:0]  ball_best_det;
     logic [TBits-1:0]     ball_t, late_t;
     logic                 in_ball, in_ball_first, in_own, in_inside, best_next;
+    logic [2*N-1:0]       in_square;   // of the radius: the low bits of b
+    logic                 in_glass;    // its inside can be seen: the bit above them
 
     if (FlatLate == 0) begin : gen_flat_last
       assign {flat_closer, flat_block} = {closer_q[Divide-1], block_q[Divide-1]};
@@ -403,7 +405,8 @@ module rc_tri (
     end
 
     // Spheres.
-    assign in_ball       = valid[In] && in_sphere;
+    assign in_ball               = valid[In] && in_sphere;
+    assign {in_glass, in_square} = in_b[2*N:0];
     // A primitive that the ray does not test counts as the ray's own sphere, seen from outside:
     // never met.
     if (rc_pkg::HasSelf) begin : gen_own
@@ -435,7 +438,7 @@ module rc_tri (
       .clk_i, .rst_ni, .s0_valid_i(in_ball), .s0_any_i(in_any), .s0_leaves_i(in_leaves),
       .s0_own_i(in_own),
       .s0_inside_i(in_inside), .s0_o_i(in.o), .s0_d_i(in.d),
-      .s0_c_i(in_a), .s0_rr_i(in_b[2*N-1:0]), .s0_glass_i(in_b[2*N]), .best_next_o(best_next),
+      .s0_c_i(in_a), .s0_rr_i(in_square), .s0_glass_i(in_glass), .best_next_o(best_next),
       .best_found_i(ball_found), .best_first_i(ball_first), .best_num_i(ball_best_num),
       .best_det_i(ball_best_det),
       .closer_o(ball_closer), .blocked_o(ball_blocked), .far_o(ball_far), .t_o(ball_t));

@@ -17,7 +17,7 @@
 #include "sim/files/image/srgb.hpp"
 #include "sim/files/process/stopping.hpp"
 #include "sim/files/table.hpp"
-#include "sim/run/film/strip.hpp"
+#include "sim/run/film/make_film.hpp"
 #include "sim/run/frame/frame.hpp"
 #include "sim/run/request/request.hpp"
 #include "sim/view/report/json.hpp"
@@ -108,11 +108,59 @@ LinkTime longest_frame(std::uint64_t cycles, int khz) {
     return LinkTime(2000 * cycles / std::uint64_t(khz) + 250'000);
 }
 
-/// The model's frames, and the memory image of the first.
+/// The model's frames, their timings, and the memory image of the first.
 struct Recorded {
     MemoryImage image;
     std::vector<RecordedFrame> frames;
+    std::vector<FrameTiming> timings;
 };
+
+Recorded record(Film& film, const Config& config, int khz, const Progress& progress) {
+    Recorded recorded;
+    for (std::size_t f = 0; f < film.frames(); ++f) {
+        film.next();
+        if (f == 0) recorded.image = film.job().image;
+        recorded.frames.push_back(film.record(0, progress));
+    }
+    recorded.timings = replay(config, khz, recorded.frames, {}, progress);
+    stop_if_interrupted();
+    return recorded;
+}
+
+/// A picture size, a configuration and a clock, which hold for all frames.
+struct BoardJob {
+    FrameSize size;
+    Config config;
+    int khz;
+};
+
+/// Runs the model's frames on the board and compares each. Returns the bytes of the last picture.
+std::vector<PixelBytes> run_frames(BoardHost& host, const BoardJob& job, const Recorded& recorded,
+                                   BoardCheck& check, const Progress& progress) {
+    std::uint64_t done = 0;
+    host.load(recorded.image, done, progress);
+    std::vector<PixelBytes> expected;
+    for (std::size_t f = 0; f < recorded.timings.size(); ++f) {
+        const RecordedFrame& frame = recorded.frames[f];
+        FrameCheck& now = check.frames.emplace_back();
+        now.model = recorded.timings[f];
+        now.uploaded_lines = f == 0 ? recorded.image.lines() : frame.upload.lines.size();
+        if (f > 0) host.update(frame.upload);
+        now.board = host.run(frame.frame, longest_frame(now.model.cycles, job.khz), progress);
+        now.first_counter = counter_sentence(job.config, now.model.accounts, now.board.accounts);
+        expected = expected_bytes(job.config, job.size, frame.trace);
+        now.wrong_pixels = differences(expected, now.board.pixels);
+    }
+    return expected;
+}
+
+/// Compares the screen of a simulated board with the last picture.
+void check_screen(SimulatedBoard& board, FrameSize size, const std::vector<PixelBytes>& expected,
+                  BoardCheck& check, const Progress& progress) {
+    board.watch(2, progress);
+    check.wrong_screen_pixels = differences(expected_screen(size, expected), board.screen().picture().pixels);
+    check.faults = screen_faults(board);
+}
 
 std::string frame_text(const FrameCheck& frame, int khz) {
     return fmt::format(
@@ -164,58 +212,70 @@ nlohmann::ordered_json json_of(const BoardCheck& check) {
             {"good", check.is_good()}};
 }
 
+void print(const BoardOptions& o, const std::string& scene, const BoardJob& job, bool is_simulated,
+           const BoardCheck& check, double seconds) {
+    fmt::print("{} on {} at {:.1f} MHz, {}x{} pixels\n", scene, is_simulated ? "the simulated board" : o.port,
+               job.khz / 1e3, job.size.width, job.size.height);
+    fmt::print("{}", check.frames.size() > 1 ? film_text(check) : frame_text(check.frames[0], job.khz));
+    if (check.wrong_screen_pixels)
+        fmt::print("  screen: {} of {} pixels differ, {} shown too late\n", *check.wrong_screen_pixels,
+                   Screens::width * Screens::height, check.underruns);
+    else if (!is_simulated)
+        fmt::print("  screen: {} pixels shown too late\n", check.underruns);
+    for (const std::string& fault : check.faults) fmt::print("  fault: {}\n", fault);
+    if (is_simulated)
+        fmt::print("  simulated {} cycles in {:.1f} s, {:.2f} M cycles/s\n", grouped(check.simulated_cycles),
+                   seconds, double(check.simulated_cycles) / seconds / 1e6);
+    fmt::print("{}\n", check.is_good() ? "EQUAL" : "DIFFERENT");
+}
+
+/// Writes the pictures of model, board and screen, or the board's film. `board` is null for a real one.
+void write_pictures(const BoardOptions& o, const Film& film, FrameSize size, SimulatedBoard* board,
+                    const std::vector<PixelBytes>& expected, const BoardCheck& check) {
+    StagedFiles staged(o.output);
+    const auto write = [&](const std::string& file, const Picture& picture) {
+        write_file((staged.stage() / file).string(), png_bytes(picture));
+    };
+    if (check.wrong_screen_pixels)
+        write("screen.png",
+              picture_of({int(Screens::width), int(Screens::height)}, board->screen().picture().pixels));
+    if (film.frames() > 1) {
+        for (std::size_t f = 0; f < film.frames(); ++f)
+            write(frame_name(f), picture_of(size, check.frames[f].board.pixels));
+        const std::string said = make_film(staged, o.output, film.frames(), film.times().fps);
+        if (!o.json.is_alone()) fmt::print("  {}\n", said);
+    } else {
+        write("model.png", picture_of(size, expected));
+        write("board.png", picture_of(size, check.frames[0].board.pixels));
+        staged.publish();
+    }
+}
+
 }   // namespace
 
 int check_frames(const BoardOptions& o) {
     const Progress progress = stopping(terminal_progress());
     if (!o.output.empty()) check_picture_folder(o.output, {"model.png", "board.png", "screen.png"});
-    BoardAsk ask = ask_of(o, progress);
-    const FrameSize size = ask.size;
-    const Config config = ask.request.config;
-    const int khz = ask.khz;
+    BoardRequest asked = board_request(o, progress);
+    const BoardJob job{.size = asked.size, .config = asked.request.config, .khz = asked.khz};
     if (o.frames.uploads != FramesOptions{}.uploads)
         throw UserError("--uploads " + shown(o.frames.uploads) +
                         ": a board's host writes only between frames");
-    const std::string name = ask.request.scene.name;
-    Film film(std::move(ask.request), o.frames, o.view.is_given(), size, progress);
+    const std::string scene = asked.request.scene.name;
+    Film film(std::move(asked.request), o.frames, o.view.is_given(), job.size, progress);
     if (!o.output.empty() && film.frames() > 1) check_film_folder(o.output, film.frames());
     // Another bitstream is refused before the model's work.
     std::optional<BoardSession> session;
-    if (ask.port) session.emplace(o, config, khz, std::move(ask.port));
-    Recorded recorded;
-    for (std::size_t f = 0; f < film.frames(); ++f) {
-        film.next();
-        if (f == 0) recorded.image = film.job().image;
-        recorded.frames.push_back(film.record(0, progress));
-    }
-    const std::vector<FrameTiming> timings = replay(config, khz, recorded.frames, {}, progress);
-    stop_if_interrupted();
-    BoardCheck check;
+    if (asked.port) session.emplace(o, job.config, job.khz, std::move(asked.port));
+    const Recorded recorded = record(film, job.config, job.khz, progress);
 
     const Stopwatch watch;
-    if (!session) session.emplace(o, config, khz, nullptr);
+    if (!session) session.emplace(o, job.config, job.khz, nullptr);
     SimulatedBoard* const board = session->simulated();
     BoardHost& host = session->host();
-    std::uint64_t done = 0;
-    host.load(recorded.image, done, progress);
-    std::vector<PixelBytes> expected;
-    for (std::size_t f = 0; f < timings.size(); ++f) {
-        const RecordedFrame& frame = recorded.frames[f];
-        FrameCheck& now = check.frames.emplace_back();
-        now.model = timings[f];
-        now.uploaded_lines = f == 0 ? recorded.image.lines() : frame.upload.lines.size();
-        if (f > 0) host.update(frame.upload);
-        now.board = host.run(frame.frame, longest_frame(now.model.cycles, khz), progress);
-        now.first_counter = counter_sentence(config, now.model.accounts, now.board.accounts);
-        expected = expected_bytes(config, size, frame.trace);
-        now.wrong_pixels = differences(expected, now.board.pixels);
-    }
-    if (board && !o.dark) {
-        board->watch(2, progress);
-        check.wrong_screen_pixels =
-            differences(expected_screen(size, expected), board->screen().picture().pixels);
-        check.faults = screen_faults(*board);
-    }
+    BoardCheck check;
+    const std::vector<PixelBytes> expected = run_frames(host, job, recorded, check, progress);
+    if (board && !o.dark) check_screen(*board, job.size, expected, check, progress);
     // A short frame ends before the screen shows it.
     check.underruns = host.underruns(board ? LinkTime(0) : three_screen_periods);
     if (board) {
@@ -225,41 +285,8 @@ int check_frames(const BoardOptions& o) {
     }
     const double seconds = watch.seconds();
 
-    if (!o.json.is_alone()) {
-        fmt::print("{} on {} at {:.1f} MHz, {}x{} pixels\n", name, board ? "the simulated board" : o.port,
-                   khz / 1e3, size.width, size.height);
-        fmt::print("{}", film.frames() > 1 ? film_text(check) : frame_text(check.frames[0], khz));
-        if (check.wrong_screen_pixels)
-            fmt::print("  screen: {} of {} pixels differ, {} shown too late\n", *check.wrong_screen_pixels,
-                       Screens::width * Screens::height, check.underruns);
-        else if (!board)
-            fmt::print("  screen: {} pixels shown too late\n", check.underruns);
-        for (const std::string& fault : check.faults) fmt::print("  fault: {}\n", fault);
-        if (board)
-            fmt::print("  simulated {} cycles in {:.1f} s, {:.2f} M cycles/s\n",
-                       grouped(check.simulated_cycles), seconds,
-                       double(check.simulated_cycles) / seconds / 1e6);
-        fmt::print("{}\n", check.is_good() ? "EQUAL" : "DIFFERENT");
-    }
-    if (!o.output.empty()) {
-        StagedFiles staged(o.output);
-        const auto write = [&](const std::string& file, const Picture& picture) {
-            write_file((staged.stage() / file).string(), png_bytes(picture));
-        };
-        if (check.wrong_screen_pixels)
-            write("screen.png",
-                  picture_of({int(Screens::width), int(Screens::height)}, board->screen().picture().pixels));
-        if (film.frames() > 1) {
-            for (std::size_t f = 0; f < film.frames(); ++f)
-                write(frame_name(f), picture_of(size, check.frames[f].board.pixels));
-            const std::string said = make_film(staged, o.output, film.frames(), film.times().fps);
-            if (!o.json.is_alone()) fmt::print("  {}\n", said);
-        } else {
-            write("model.png", picture_of(size, expected));
-            write("board.png", picture_of(size, check.frames[0].board.pixels));
-            staged.publish();
-        }
-    }
+    if (!o.json.is_alone()) print(o, scene, job, board != nullptr, check, seconds);
+    if (!o.output.empty()) write_pictures(o, film, job.size, board, expected, check);
     o.json.write(json_of(check));
     return check.is_good() ? 0 : 1;
 }

@@ -62,14 +62,14 @@ int settle_board(const BoardOptions& o, Config& config) {
     return khz;
 }
 
-BoardAsk ask_of(const BoardOptions& o, const Progress& progress) {
-    BoardAsk ask{parse_size(o.size), nullptr, {}};
+BoardRequest board_request(const BoardOptions& o, const Progress& progress) {
+    BoardRequest asked{parse_size(o.size), nullptr, {}};
     o.json.check();
     sdram_part(o.sdram);   // throws
-    ask.port = open_port(o);
-    ask.request = request_of(o.scene, o.config, o.finish, 1, ask.size, progress, o.view);
-    ask.khz = settle_board(o, ask.request.config);
-    return ask;
+    asked.port = open_port(o);
+    asked.request = request_of(o.scene, o.config, o.finish, 1, asked.size, progress, o.view);
+    asked.khz = settle_board(o, asked.request.config);
+    return asked;
 }
 
 std::unique_ptr<Port> open_port(const BoardOptions& o) {

@@ -35,15 +35,15 @@ struct BoardOptions {
 /// Gives a configuration the board's SDRAM, and returns the clock in kHz. Throws UserError if the
 /// configuration is not a board's, or if the board cannot have the clock.
 int settle_board(const BoardOptions& o, Config& config);
-/// What a command asks of a board: frames of a scene. The port is open; none for a simulated board.
-struct BoardAsk {
+/// The frames of a scene that a command runs on a board. The port is open; none for a simulated board.
+struct BoardRequest {
     FrameSize size;
     std::unique_ptr<Port> port;
     Request request;
     int khz = 0;
 };
 /// Throws UserError for an option that the board cannot follow.
-BoardAsk ask_of(const BoardOptions& o, const Progress& progress);
+BoardRequest board_request(const BoardOptions& o, const Progress& progress);
 /// Opens the port; none for a simulated board. Throws UserError.
 std::unique_ptr<Port> open_port(const BoardOptions& o);
 /// Returns the board under Verilator. Builds the RTL if necessary. Throws UserError.

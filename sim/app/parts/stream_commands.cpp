@@ -45,7 +45,12 @@ PictureOptions no_picture_options(std::vector<PictureOptions::Own> own) {
     static const ViewChoice view;
     static const FramesOptions frames;
     static const LimitsChoice limits;
-    return {size, finish, view, frames, limits, std::move(own)};
+    return {.size = size,
+            .finish = finish,
+            .view = view,
+            .frames = frames,
+            .limits = limits,
+            .own = std::move(own)};
 }
 
 bool traces_stream(const StreamChoice& choice, const PictureOptions& picture) {

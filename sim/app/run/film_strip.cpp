@@ -10,7 +10,7 @@
 #include "model/trace/hits.hpp"
 #include "sim/app/run/picture_folder.hpp"
 #include "sim/files/image/image.hpp"
-#include "sim/run/film/strip.hpp"
+#include "sim/run/film/make_film.hpp"
 #include "sim/run/request/reference_picture.hpp"
 #include "sim/view/report/accounts.hpp"
 #include "sim/view/report/text.hpp"

@@ -22,7 +22,7 @@ struct FilmStrip {
 /// Options of record_film().
 struct StripOptions {
     int threads = 0;
-    std::string folder;
+    std::string folder{};
     bool compares = false;   ///< compare every frame with the reference
 };
 

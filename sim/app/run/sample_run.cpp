@@ -197,7 +197,7 @@ nlohmann::ordered_json sample_json(Film& film, FrameSize size, double pan, const
             {"frames", film.frames()},
             {"pan", pan},
             {"film", film_json(config, sampled.runs, sampled.strip, sampled.uploads)},
-            {"engine", "model"},
+            {"engine", name_of(Tracer::model)},
             {"partial", false},
             {"sampling", sampling},
             {"compile", compile_json(job.image.report)},

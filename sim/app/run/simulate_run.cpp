@@ -56,17 +56,19 @@ SimulateResult run_simulation(const SimulateSettings& how, const SimulateInput& 
                               const Progress& progress) {
     SimulateResult s;
     Film& film = work.film;
-    s.is_model = how.is_model;
+    s.tracer = how.tracer;
     // A single frame at a single clock replays while it is recorded.
-    if (s.is_model && work.clocks.size() == 1 && film.frames() == 1 && !film.moves()) {
+    if (s.is_on_model() && work.clocks.size() == 1 && film.frames() == 1 && !film.moves()) {
         film.next();
         const std::vector<FrameTiming> timings =
             record_and_replay(work.job(), work.clocks[0], s.traces, how.traffic, how.threads, progress);
         s.runs.push_back({work.clocks[0], {frame_result(s.traces[0], timings[0])}});
     } else {
-        s.strip = record_film(film, {how.threads, how.folder, how.is_compared}, stopping(progress), s.traces);
+        s.strip =
+            record_film(film, {.threads = how.threads, .folder = how.folder, .compares = how.is_compared},
+                        stopping(progress), s.traces);
         s.runs =
-            s.is_model
+            s.is_on_model()
                 ? replay_clocks(work.job(), work.clocks, s.traces, how.traffic, how.threads, progress)
                 : run_rtl_clocks(work.job(), work.clocks, s.traces, how.traffic, int(how.seed), progress);
     }
@@ -93,8 +95,8 @@ Totals totals_of(const SimulateResult& s) {
         }
     for (const RecordedFrame& trace : s.traces) t.record_seconds += trace.trace.seconds;
     // A single replay runs in parallel with the recording, so its time includes both.
-    t.engine_seconds =
-        t.machine_seconds + (s.is_model && s.traces.size() * s.runs.size() > 1 ? t.record_seconds : 0);
+    t.all_seconds =
+        t.machine_seconds + (s.is_on_model() && s.traces.size() * s.runs.size() > 1 ? t.record_seconds : 0);
     return t;
 }
 
@@ -121,7 +123,7 @@ nlohmann::ordered_json simulation_json(const SimulateSettings& how, const Simula
             {"frames", work.film.frames()},
             {"pan", how.pan},
             {"film", film_json(config, s.runs, s.strip, s.traces)},
-            {"engine", how.is_model ? "model" : "rtl"},
+            {"engine", name_of(how.tracer)},
             {"partial", s.partial},
             {"sampling", nullptr},
             {"compile", compile_json(work.job().image.report)},
@@ -135,12 +137,12 @@ nlohmann::ordered_json simulation_json(const SimulateSettings& how, const Simula
             {"limits", limits_json(limits, s.errors())},
             {"judge", judge_json(s.judgement())},
             {"host",
-             {{"seconds", t.engine_seconds},
-              {"record_seconds", s.is_model ? t.record_seconds : 0},
+             {{"seconds", t.all_seconds},
+              {"record_seconds", s.is_on_model() ? t.record_seconds : 0},
               {"judge_seconds", s.judgement() ? s.judgement()->seconds : 0},
-              {"cycles_per_second", double(t.cycles) / t.engine_seconds},
+              {"cycles_per_second", double(t.cycles) / t.all_seconds},
               {"rays_per_second",
-               rays_of(frame) * double(s.runs.size() * s.runs[0].frames.size()) / t.engine_seconds}}},
+               rays_of(frame) * double(s.runs.size() * s.runs[0].frames.size()) / t.all_seconds}}},
             {"digest", digest_text(t.digest.value())}};
 }
 

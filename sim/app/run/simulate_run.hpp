@@ -11,6 +11,7 @@
 #include "sim/app/run/film_strip.hpp"
 #include "sim/app/run/frame_comparison.hpp"
 #include "sim/run/film/film.hpp"
+#include "sim/run/request/tracer.hpp"
 #include "sim/view/report/json.hpp"
 #include "sim/view/report/limits.hpp"
 
@@ -18,14 +19,14 @@ namespace rayclock {
 
 /// The way in which a simulation runs.
 struct SimulateSettings {
-    bool is_model = true;      ///< on the model; otherwise on the RTL
-    Traffic traffic{};         ///< disturbances of memory and sink
-    std::uint64_t seed = 1;    ///< of the RTL's uninitialised registers
-    bool is_compared = true;   ///< the last frame with the reference
-    bool is_judged = true;     ///< by the exact judge; needs is_compared
-    int threads = 0;           ///< 0: one per core
-    double pan = 0;            ///< degrees that the camera turns from frame to frame, for the report
-    std::string folder;        ///< for the pictures of a film; empty: none
+    Tracer tracer = Tracer::model;   ///< the model or the RTL
+    Traffic traffic{};               ///< disturbances of memory and sink
+    std::uint64_t seed = 1;          ///< of the RTL's uninitialised registers
+    bool is_compared = true;         ///< the last frame with the reference
+    bool is_judged = true;           ///< by the exact judge; needs is_compared
+    int threads = 0;                 ///< 0: one per core
+    double pan = 0;                  ///< degrees that the camera turns from frame to frame, for the report
+    std::string folder{};            ///< for the pictures of a film; empty: none
 };
 
 /// The input of a simulation: the frames of a film, and the clocks.
@@ -40,13 +41,14 @@ struct SimulateInput {
 
 /// The results of a simulation.
 struct SimulateResult {
-    bool is_model = true;
+    Tracer tracer = Tracer::model;
     std::vector<RecordedFrame> traces;
     std::vector<FramesAtClock> runs;           ///< [clock]
     FilmStrip strip;                           ///< of the frames, if they were recorded one by one
     std::optional<FrameComparison> compared;   ///< the last frame compared with the reference
     bool partial = false;
 
+    bool is_on_model() const { return tracer == Tracer::model; }
     std::optional<FrameError> error() const {
         return compared ? std::optional(compared->error) : std::nullopt;
     }
@@ -59,17 +61,17 @@ struct SimulateResult {
         return compared ? compared->judgement : none;
     }
     const std::vector<Closest>& answers() const {
-        return is_model ? traces.back().trace.hits : runs.back().last().answers;
+        return is_on_model() ? traces.back().trace.hits : runs.back().last().answers;
     }
     const Colours& colours() const {
-        return is_model ? traces.back().trace.colours : runs.back().last().colours;
+        return is_on_model() ? traces.back().trace.colours : runs.back().last().colours;
     }
 };
 
 /// Sums over all frames and clocks.
 struct Totals {
     std::uint64_t cycles = 0;
-    double machine_seconds = 0, record_seconds = 0, engine_seconds = 0;   ///< seconds on the host
+    double machine_seconds = 0, record_seconds = 0, all_seconds = 0;   ///< on the host
     Digest digest;
 };
 

@@ -52,7 +52,7 @@ SweepResult run_sweep(SweepRequest ask, const Progress& progress) {
                               ask.stream ? sweep::stream_json(*ask.stream) : nlohmann::ordered_json(),
                               ask.sample ? sweep::sample_json(*ask.sample) : nlohmann::ordered_json()},
                              {}};
-    sweep::Outcome& outcome = swept.outcome;
+    sweep::Evaluation& outcome = swept.outcome;
     const bool netlists = ask.netlists && !sweep::needs_area(cost) && cost != sweep::Cost::bits;
     outcome = sweep::run(
         {scene, ask.size, std::move(points), ask.threads, netlists, picture, ask.stream, ask.sample}, cache,

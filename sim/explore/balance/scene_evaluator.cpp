@@ -63,7 +63,7 @@ bool SceneEvaluator::fps(std::vector<Machine>& machines) {
             points.back().refused = e.what();
         }
     }
-    const sweep::Outcome outcome =
+    const sweep::Evaluation outcome =
         sweep::run({scene_, size_, std::move(points), threads_, false, picture_}, frames_, progress_);
     if (outcome.partial) return false;
     for (std::size_t i = 0; i < machines.size(); ++i)

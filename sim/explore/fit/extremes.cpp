@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "model/engine/bvh/decode.hpp"
+#include "model/layout/words.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "sim/explore/fit/ranges.hpp"
 
@@ -127,11 +128,11 @@ Extremes extremes(const MemoryImage& image, const Frame& frame, const Config& co
     Extremes e;
     measure_frame(frame, config, e);
     e.node = point(frame.root);
-    for_each_node(
+    bvh::for_each_node(
         image, frame.root, config, [&](const Node& node, std::uint32_t inner, std::uint32_t triangles) {
             measure_node(node, config, e);
             for (std::uint32_t i = 0; i < triangles; ++i)
-                measure_triangle(read_triangle(image, 2 * (node.base + inner) + i, config), frame.eye, e);
+                measure_triangle(read_primitive(image, 2 * (node.base + inner) + i, config), frame.eye, e);
         });
     return e;
 }

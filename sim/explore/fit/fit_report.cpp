@@ -173,7 +173,7 @@ ordered_json ranges_json(const Ranges& ranges) {
     return {{"overflow_possible", !ranges.proven()}, {"signals", signals}};
 }
 
-ordered_json outcome_json(const Outcome& o) {
+ordered_json outcome_json(const Measurement& o) {
     return {{"pixels", o.pixels},
             {"pixels_other_primitive", o.other},
             {"psnr_db", decibel(o.psnr_db)},

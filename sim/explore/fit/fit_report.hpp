@@ -23,6 +23,6 @@ nlohmann::ordered_json needs_json(const Fit& fit, const Ranges& ranges);
 nlohmann::ordered_json units_json(const Config& config);
 nlohmann::ordered_json cost_json(const Cost& cost);
 nlohmann::ordered_json ranges_json(const Ranges& ranges);
-nlohmann::ordered_json outcome_json(const Outcome& outcome);
+nlohmann::ordered_json outcome_json(const Measurement& outcome);
 
 }   // namespace rayclock::fit

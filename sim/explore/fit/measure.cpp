@@ -52,7 +52,7 @@ std::uint64_t others(const HitFrame& frame, const HitFrame& reference) {
 
 }   // namespace
 
-Measure::Measure(const Scene& scene, FrameSize size, int threads, const PictureChoice& choice)
+Measurer::Measurer(const Scene& scene, FrameSize size, int threads, const PictureChoice& choice)
     : scene_(scene), size_(size), threads_(threads), choice_(choice) {
     if (!is_plain()) {
         expect_frames();
@@ -62,11 +62,11 @@ Measure::Measure(const Scene& scene, FrameSize size, int threads, const PictureC
     expected_.push_back(shade(scene, references_[0]));
 }
 
-bool Measure::is_plain() const {
+bool Measurer::is_plain() const {
     return !choice_.finished && choice_.frames.frames == 1 && !moves(scene_) && !scene_.placed;
 }
 
-void Measure::expect_frames() {
+void Measurer::expect_frames() {
     Film film = film_of(scene_, size_, choice_, named_config("default"), {}, false);
     for (std::size_t f = 0; f < film.frames(); ++f) {
         film.next();
@@ -77,7 +77,7 @@ void Measure::expect_frames() {
     }
 }
 
-const Outcome& Measure::operator()(const Config& config) {
+const Measurement& Measurer::operator()(const Config& config) {
     const std::vector<int> key = outcome_key(config);
     const auto known = done_.find(key);
     if (known != done_.end()) return known->second;
@@ -86,15 +86,15 @@ const Outcome& Measure::operator()(const Config& config) {
     return done_.emplace(key, measure(config)).first->second;
 }
 
-const MemoryImage& Measure::image(const Config& config) {
+const MemoryImage& Measurer::image(const Config& config) {
     const std::vector<int> key = image_key(config);
     const auto known = images_.find(key);
     if (known != images_.end()) return known->second;
     return images_.emplace(key, compile_scene(scene_, scene_.camera->eye, config)).first->second;
 }
 
-Outcome Measure::measure(const Config& config) {
-    Outcome outcome;
+Measurement Measurer::measure(const Config& config) {
+    Measurement outcome;
     for (const HitFrame& frame : references_) outcome.pixels += frame.hits.size();
     try {
         is_plain() ? measure_plain(config, outcome) : measure_film(config, outcome);
@@ -104,7 +104,7 @@ Outcome Measure::measure(const Config& config) {
     return outcome;
 }
 
-void Measure::measure_plain(const Config& config, Outcome& outcome) {
+void Measurer::measure_plain(const Config& config, Measurement& outcome) {
     const MemoryImage& image = this->image(config);
     const Frame frame = make_frame(*scene_.camera, size_, image, config);
     const Trace trace = record_trace(image, frame, config, threads_);
@@ -120,7 +120,7 @@ void Measure::measure_plain(const Config& config, Outcome& outcome) {
     outcome.psnr_db = compare(shade(scene_, hits), expected_[0]).psnr_db;
 }
 
-void Measure::measure_film(const Config& config, Outcome& outcome) {
+void Measurer::measure_film(const Config& config, Measurement& outcome) {
     Film film = film_of(scene_, size_, choice_, config, stopping({}));
     outcome.psnr_db = std::numeric_limits<double>::infinity();
     for (std::size_t f = 0; f < film.frames(); ++f) {

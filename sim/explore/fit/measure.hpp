@@ -12,8 +12,9 @@
 
 namespace rayclock::fit {
 
-/// The result of one configuration's frame, or of all frames of a film: sums, and the worst value.
-struct Outcome {
+/// The errors and the work of one configuration's frame, or of all frames of a film: sums, and the worst
+/// value.
+struct Measurement {
     std::string refused;   ///< why the scene cannot be compiled; the other members are then unset
     std::uint64_t pixels = 0;
     std::uint64_t other = 0;              ///< pixels that hold another primitive than the reference's
@@ -27,13 +28,13 @@ struct Outcome {
 
 /// Measures configurations that share one base. Results and memory images are cached by the parameters that
 /// affect them.
-class Measure {
+class Measurer {
 public:
     /// Runs the reference. `scene` must have a camera, and outlive the object.
-    Measure(const Scene& scene, FrameSize size, int threads, const PictureChoice& choice = {});
+    Measurer(const Scene& scene, FrameSize size, int threads, const PictureChoice& choice = {});
 
     /// Throws std::runtime_error if interrupted().
-    const Outcome& operator()(const Config& config);
+    const Measurement& operator()(const Config& config);
 
     /// Called before each measurement that is not cached, with the number of earlier ones.
     std::function<void(const Config& config, std::size_t done)> on_measured;
@@ -46,9 +47,9 @@ public:
     bool is_plain() const;
 
 private:
-    Outcome measure(const Config& config);
-    void measure_plain(const Config& config, Outcome& outcome);
-    void measure_film(const Config& config, Outcome& outcome);
+    Measurement measure(const Config& config);
+    void measure_plain(const Config& config, Measurement& outcome);
+    void measure_film(const Config& config, Measurement& outcome);
     void expect_frames();
     const MemoryImage& image(const Config& config);
 
@@ -58,7 +59,7 @@ private:
     PictureChoice choice_;
     std::vector<HitFrame> references_;   ///< one for each frame
     std::vector<Picture> expected_;
-    std::map<std::vector<int>, Outcome> done_;
+    std::map<std::vector<int>, Measurement> done_;
     std::map<std::vector<int>, MemoryImage> images_;
 };
 

@@ -52,7 +52,7 @@ const char* purpose_name(Purpose purpose) {
     return "";
 }
 
-Search::Search(Measure& measure, const Config& base, const Goal& goal)
+Search::Search(Measurer& measure, const Config& base, const Goal& goal)
     : measure_(measure), given_(base), base_(base), goal_(goal) {
     base_.addr_bits = max_addr_bits;
     base_.prim_bits = max_prim_bits;
@@ -88,13 +88,13 @@ Config Search::widest(int coord_bits, int dir_bits) const {
 
 std::string Search::violation(const Config& config) {
     if (std::string rule = broken_rule(config); !rule.empty()) return rule;
-    const Outcome& o = measure_(config);
+    const Measurement& o = measure_(config);
     if (!o.refused.empty()) return o.refused;
     if (100 * double(o.other) > goal_.max_error * double(o.pixels))
         return fmt::format("{:.3f} % of the pixels hold another primitive", o.other_percent());
     if (goal_.min_psnr && o.psnr_db < *goal_.min_psnr) return fmt::format("PSNR {:.2f} dB", o.psnr_db);
     const Config widest_fields = widest(config);
-    const Outcome& wide = measure_(widest_fields);
+    const Measurement& wide = measure_(widest_fields);
     if (!goal_.min_psnr && o.psnr_db < std::min(wide.psnr_db, colour_enough) - colour_loss)
         return fmt::format("PSNR {:.2f} dB, of {:.2f}", o.psnr_db, wide.psnr_db);
     const double more = 100 * (double(o.work) / double(wide.work) - 1);
@@ -164,7 +164,7 @@ void Search::descend() {
 
 /// Sets the widths and the stack depth that this scene, picture and caches need.
 void Search::fit_to_scene() {
-    const Outcome& outcome = measure_(best_);
+    const Measurement& outcome = measure_(best_);
     const auto bits_for = [](std::uint64_t count) { return int(std::bit_width(count - 1)); };
     best_.stack_depth = int(std::bit_ceil(unsigned(std::max(1, outcome.compile.stack_need))));
     best_.addr_bits = std::max(

@@ -32,8 +32,8 @@ struct Fitted {
 
 struct Fit {
     Config config;
-    Outcome outcome;        ///< the outcome of `config`
-    Outcome widest;         ///< the outcome with the same N and M and all other fields at their widest
+    Measurement outcome;    ///< the outcome of `config`
+    Measurement widest;     ///< the outcome with the same N and M and all other fields at their widest
     Cost cost, base_cost;   ///< base: the given configuration
     std::vector<Fitted> parameters;
 };
@@ -46,7 +46,7 @@ struct Fit {
 /// finally it lowers every parameter by one step, again and again, until none can be lowered.
 class Search {
 public:
-    Search(Measure& measure, const Config& base, const Goal& goal);
+    Search(Measurer& measure, const Config& base, const Goal& goal);
 
     /// Returns nothing if no width keeps the goal. closest() is then the best attempt.
     std::optional<Fit> run();
@@ -71,7 +71,7 @@ private:
     Fitted fitted(int Config::*member, Purpose purpose);
     Fitted needed(int Config::*member, const std::string& why) const;
 
-    Measure& measure_;
+    Measurer& measure_;
     Config given_, base_;     ///< base: the given one with the widest addresses and the deepest stack
     Config best_, closest_;   ///< none yet if the name is empty
     Goal goal_;

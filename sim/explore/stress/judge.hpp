@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "model/trace/walk.hpp"
-#include "model/unit/tri/primitive.hpp"
+#include "model/unit/tri/tri_test.hpp"
 #include "sim/explore/stress/families.hpp"
 #include "sim/judge/oracle/surface.hpp"
 

@@ -127,11 +127,11 @@ struct UnitResult {
 
 }   // namespace
 
-Outcome run(const Plan& plan, const Progress& progress) {
+StressResult run(const Plan& plan, const Progress& progress) {
     Work work = make_work(plan);
     const std::uint64_t first = go_on(plan, work),
                         end = std::min<std::uint64_t>(work.units.size(), plan.stop_after);
-    Outcome outcome;
+    StressResult outcome;
     std::uint64_t rays_all = 0;
     for (std::size_t u = 0; u < work.units.size(); ++u) {
         if (u < first) outcome.rays_before += work.units[u].rays;

@@ -41,7 +41,7 @@ struct Plan {
 };
 
 /// The result of a stress run.
-struct Outcome {
+struct StressResult {
     std::vector<Cell> cells;
     std::uint64_t rays = 0, rays_before = 0;   ///< total, and the part from earlier runs
     double seconds = 0;                        ///< of this run
@@ -51,7 +51,7 @@ struct Outcome {
 
 /// Runs the plan. Equal plans give equal counts, for any number of threads and interruptions. Throws
 /// UserError if the state belongs to another plan.
-Outcome run(const Plan& plan, const Progress& progress = {});
+StressResult run(const Plan& plan, const Progress& progress = {});
 
 /// Returns the configuration of a lattice of `bits` for a batch. Direction widths alternate between batches,
 /// starting with the largest that the rules allow.

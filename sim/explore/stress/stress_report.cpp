@@ -63,7 +63,7 @@ std::string extra_boxes(const Counts& c) {
                : "";
 }
 
-std::string text(const Plan& plan, const Outcome& outcome) {
+std::string text(const Plan& plan, const StressResult& outcome) {
     std::string out;
     for (const std::string& name : plan.tests) {
         const NamedTest& test = named_test(name);
@@ -93,7 +93,7 @@ std::string text(const Plan& plan, const Outcome& outcome) {
     return out;
 }
 
-ordered_json json(const Plan& plan, const Outcome& outcome) {
+ordered_json json(const Plan& plan, const StressResult& outcome) {
     ordered_json tests = ordered_json::array(), verdicts = ordered_json::object(),
                  few = ordered_json::object(), total;
     for (const Cell& cell : outcome.cells) {

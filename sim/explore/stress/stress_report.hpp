@@ -6,8 +6,8 @@
 
 namespace rayclock::stress {
 
-std::string text(const Plan& plan, const Outcome& outcome);
-nlohmann::ordered_json json(const Plan& plan, const Outcome& outcome);
+std::string text(const Plan& plan, const StressResult& outcome);
+nlohmann::ordered_json json(const Plan& plan, const StressResult& outcome);
 
 /// Returns the verdict on a test in words.
 const char* verdict(const NamedTest& test, const std::vector<Cell>& cells);

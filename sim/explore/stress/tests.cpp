@@ -2,12 +2,12 @@
 #include <algorithm>
 
 #include "model/base/nearest.hpp"
-#include "model/unit/tri/moller.hpp"
+#include "model/unit/tri/baselines/moller.hpp"
 #include "model/unit/tri/sheared.hpp"
 #include "model/unit/tri/tri.hpp"
-#include "model/unit/tri/truncated.hpp"
-#include "model/unit/tri/unit24.hpp"
-#include "model/unit/tri/woop.hpp"
+#include "model/unit/tri/baselines/truncated.hpp"
+#include "model/unit/tri/baselines/unit24.hpp"
+#include "model/unit/tri/baselines/woop.hpp"
 #include "sim/explore/stress/controls.hpp"
 
 namespace rayclock::stress {

@@ -43,7 +43,7 @@ std::uint64_t chip_memory_bits(const Config& c) {
            8 * bytes_of(c.l2_sets, c.l2_ways, c.l2_line);
 }
 
-void count_areas(Outcome& outcome, int threads, results::Cache& cache, const Progress& progress) {
+void count_areas(Evaluation& outcome, int threads, results::Cache& cache, const Progress& progress) {
     std::vector<area::Variant> variants;
     std::vector<Result*> counted;
     for (Result& r : outcome.results) {

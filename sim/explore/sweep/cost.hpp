@@ -28,10 +28,10 @@ std::uint64_t chip_cache_bytes(const Config& config);
 /// Returns the chip's memory in bits: ray state of contexts, stacks, and caches with their tags.
 std::uint64_t chip_memory_bits(const Config& config);
 
-struct Outcome;
+struct Evaluation;
 
 /// Counts the cells of all points that have RTL, each distinct unit once. Throws UserError if Yosys is
 /// missing. Stops early when interrupted(); the outcome is then partial.
-void count_areas(Outcome& outcome, int threads, results::Cache& cache, const Progress& progress);
+void count_areas(Evaluation& outcome, int threads, results::Cache& cache, const Progress& progress);
 
 }   // namespace rayclock::sweep

@@ -142,7 +142,7 @@ public:
                     r.point.refused = "--rays needs source=stream";
     }
 
-    Outcome run() {
+    Evaluation run() {
         find_known();
         const std::size_t open = std::size_t(std::count_if(
             groups_.begin(), groups_.end(), [](const auto& g) { return needs_trace(g.second); }));
@@ -401,7 +401,7 @@ private:
     const Progress& progress_;
     std::string scene_key_;
     int cores_ = 1, inner_threads_ = 1;
-    Outcome outcome_;
+    Evaluation outcome_;
     std::map<std::string, Group> groups_;
     std::vector<std::function<void()>> tasks_;   ///< netlists to count, then groups to trace
     const Progress stop_ = stopping({});
@@ -413,7 +413,7 @@ private:
 
 }   // namespace
 
-Outcome run(const Plan& plan, results::Cache& cache, const Progress& progress) {
+Evaluation run(const Plan& plan, results::Cache& cache, const Progress& progress) {
     return Runner(plan, cache, progress).run();
 }
 

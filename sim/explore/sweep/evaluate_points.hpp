@@ -67,7 +67,7 @@ struct Plan {
 };
 
 /// The result of a run.
-struct Outcome {
+struct Evaluation {
     std::vector<Result> results;   ///< [point]
     std::size_t traces = 0;        ///< number of distinct formats
     std::size_t known = 0;         ///< points found in the cache
@@ -76,6 +76,6 @@ struct Outcome {
 };
 
 /// Runs a sweep. Stops early when interrupted(); finished work is in the cache.
-Outcome run(const Plan& plan, results::Cache& cache, const Progress& progress);
+Evaluation run(const Plan& plan, results::Cache& cache, const Progress& progress);
 
 }   // namespace rayclock::sweep

@@ -147,7 +147,7 @@ void fill(Result& r, const ordered_json& json, const std::vector<Axis>& axes) {
     table_cells(r, false, false);   // check that a table can read every value
 }
 
-void fill(Outcome& outcome, const Part& part, const std::vector<Axis>& axes) {
+void fill(Evaluation& outcome, const Part& part, const std::vector<Axis>& axes) {
     std::vector<std::size_t> mine;
     for (std::size_t i = 0; i < outcome.results.size(); ++i) mine.push_back(i);
     if (!part.shard.is_whole()) {

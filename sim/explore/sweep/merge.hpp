@@ -11,7 +11,7 @@ struct MergedSweep {
     Config config;
     FrameSize size;   ///< 0 x 0 for a stream of rays
     SweepSettings settings;
-    Outcome outcome;
+    Evaluation outcome;
 };
 
 /// Merges reports written by `sweep --json`: all parts in any order, or one report of a whole sweep. Throws

@@ -162,7 +162,7 @@ std::string csv(const std::vector<Axis>& axes, const std::vector<Result>& result
     return text;
 }
 
-std::string text(const std::vector<Axis>& axes, const Outcome& outcome, const Front& front) {
+std::string text(const std::vector<Axis>& axes, const Evaluation& outcome, const Front& front) {
     Table table(column_names(axes), 0);
     std::size_t on_front = 0;
     for (std::size_t i = 0; i < outcome.results.size(); ++i) {

@@ -21,7 +21,7 @@ std::vector<std::optional<double>> column_values(const std::vector<Axis>& axes,
                                                  const std::string& column);
 
 std::string csv(const std::vector<Axis>& axes, const std::vector<Result>& results, const Front& front);
-std::string text(const std::vector<Axis>& axes, const Outcome& outcome, const Front& front);
+std::string text(const std::vector<Axis>& axes, const Evaluation& outcome, const Front& front);
 nlohmann::ordered_json points_json(const std::vector<Axis>& axes, const std::vector<Result>& results,
                                    const Front& front);
 nlohmann::ordered_json knee_json(const std::vector<Axis>& axes, const std::vector<Result>& results,

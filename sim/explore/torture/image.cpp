@@ -259,7 +259,7 @@ MemoryImage image_of(const std::vector<PrimData>& prims, const Config& config, D
 namespace {
 
 /// Draws a plane of a node, in any direction if the engine's planes have one.
-template <class Line> void set_plane(Line& node, std::size_t plane, Dice& dice) {
+template <class Engine> void set_plane(typename Engine::Node& node, std::size_t plane, Dice& dice) {
     cells::Cell cell;
     if constexpr (requires { node.normal; }) {
         const std::int32_t most = max_of(normal_step_bits);
@@ -272,20 +272,21 @@ template <class Line> void set_plane(Line& node, std::size_t plane, Dice& dice) 
         cell.lower->bounds.hi[axis] = cell.at;   // the second of a pair of planes makes a gap or an overlap
         cell.upper->bounds.lo[axis] = node.lo[axis] + node.hi[axis] - cell.at;
     }
-    put(cell, plane, node);
+    Engine::put(cell, plane, node);
 }
 
-template <class Line> void cut_lines_anew(MemoryImage& image, const Config& config, Dice& dice) {
+template <class Engine> void cut_lines_anew(MemoryImage& image, const Config& config, Dice& dice) {
     std::vector<std::uint32_t> pending{0};
     Words scratch;
     while (!pending.empty()) {
         std::uint32_t* const at = &image.words[std::size_t(pending.back()) * words_per_line];
         pending.pop_back();
-        Line node = unpack<Line>(at, config);
+        auto node = unpack<typename Engine::Node>(at, config);
         node.open = dice.percent(20);
         for (std::size_t k = 0; k < 3; ++k)
             node.lo[k] = dice.between(-3, 1), node.hi[k] = node.lo[k] + dice.between(0, 4);
-        for (std::size_t i = 0; i < std::size_t(config.planes_of_node()); ++i) set_plane(node, i, dice);
+        for (std::size_t i = 0; i < std::size_t(config.planes_of_node()); ++i)
+            set_plane<Engine>(node, i, dice);
         std::fill_n(at, words_per_line, 0u);
         write_payload(node, config, at, scratch);
         std::uint32_t next = node.base;
@@ -302,7 +303,7 @@ template <class Line> void cut_lines_anew(MemoryImage& image, const Config& conf
 
 void cut_anew(MemoryImage& image, const Config& config, Dice& dice) {
     with_engine(config.engine(), [&]<class E>(E) {
-        if constexpr (E::has_cells) cut_lines_anew<typename E::Node>(image, config, dice);
+        if constexpr (E::has_cells) cut_lines_anew<E>(image, config, dice);
     });
 }
 

@@ -8,7 +8,7 @@
 
 #include "model/base/largest.hpp"
 #include "model/scene/placed.hpp"
-#include "sim/judge/paths/steps.hpp"
+#include "sim/judge/paths/arithmetic.hpp"
 
 namespace rayclock {
 

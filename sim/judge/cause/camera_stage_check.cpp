@@ -9,7 +9,7 @@
 #include <glm/matrix.hpp>
 
 #include "sim/judge/cause/tie.hpp"
-#include "sim/judge/paths/steps.hpp"
+#include "sim/judge/paths/arithmetic.hpp"
 #include "sim/judge/reference/whitted.hpp"
 
 namespace rayclock {

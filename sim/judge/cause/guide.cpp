@@ -11,7 +11,7 @@
 #include "model/compile/levels/maps.hpp"
 #include "sim/judge/cause/level_error.hpp"
 #include "sim/judge/cause/tie.hpp"
-#include "sim/judge/paths/steps.hpp"
+#include "sim/judge/paths/arithmetic.hpp"
 #include "sim/judge/reference/geometry.hpp"
 #include "sim/judge/reference/holes.hpp"
 
@@ -138,7 +138,7 @@ RefPath Guide::from_own(const RefPath& path, double distance) const {
 }
 
 /// Returns the error of a hit on a sphere in lattice steps: rounding of the root, of t and of the point
-/// (model/unit/tri/test_primitive.hpp). Of two hits that are closer together than this, either may win.
+/// (model/unit/tri/any_primitive.hpp). Of two hits that are closer together than this, either may win.
 double Guide::sphere_error(const MachineVisit& at, std::uint32_t primitive) const {
     const Scene& scene = rules_.scene;
     const Config& config = rules_.inputs.config;

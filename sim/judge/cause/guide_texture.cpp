@@ -11,7 +11,7 @@
 
 #include "sim/judge/cause/level_error.hpp"
 #include "sim/judge/cause/tie.hpp"
-#include "sim/judge/paths/steps.hpp"
+#include "sim/judge/paths/arithmetic.hpp"
 #include "sim/judge/reference/geometry.hpp"
 #include "sim/judge/reference/holes.hpp"
 

@@ -26,7 +26,7 @@ using Boxes = std::unordered_map<std::uint32_t, std::array<LatticeBox, max_width
 
 /// Computes the boxes before quantisation: the bounds of the triangles below.
 LatticeBox real_boxes(const Decoder& decoder, std::uint32_t line, Boxes& boxes) {
-    const WideNode& node = decoder.node<engine::Bvh>(line);
+    const WideNode& node = decoder.node<bvh::Engine>(line);
     LatticeBox all;
     std::array<LatticeBox, max_width> mine{};
     for (std::size_t i = 0; i < node.children; ++i) {
@@ -71,7 +71,7 @@ struct ByMachine : CameraPolicy {
         if (meets(half_line, rsp)) t_best = rsp.t;
     }
     const WideNode& boxes(std::uint32_t line, std::uint32_t* t_near, std::uint32_t& hits) const {
-        const WideNode& node = decoder.node<engine::Bvh>(line);
+        const WideNode& node = decoder.node<bvh::Engine>(line);
         hits = box_children(box_ray(ray), node, config, t_near);
         count->boxes += node.children;
         for (std::uint32_t i = 0; i < node.children; ++i) judge(node, i, (hits >> i & 1) != 0, t_near[i]);
@@ -124,7 +124,7 @@ struct ByOracle : CameraPolicy {
         if (meets(half_line, rsp)) t_best = {{std::int64_t(rsp.num), std::int64_t(rsp.det)}};
     }
     const WideNode& boxes(std::uint32_t line, Exactly::Time* t_near, std::uint32_t& hits) const {
-        const WideNode& node = decoder.node<engine::Bvh>(line);
+        const WideNode& node = decoder.node<bvh::Engine>(line);
         const std::array<LatticeBox, max_width>* boxes = real ? &real->at(line) : nullptr;
         hits = 0;
         for (std::uint32_t i = 0; i < node.children; ++i) {

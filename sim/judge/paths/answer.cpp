@@ -2,7 +2,7 @@
 #include "sim/judge/paths/answer.hpp"
 
 #include "sim/judge/paths/placed.hpp"
-#include "sim/judge/paths/steps.hpp"
+#include "sim/judge/paths/arithmetic.hpp"
 
 namespace rayclock {
 
@@ -19,7 +19,7 @@ using oracle::SphereRoot;
 int tick_bits(const Config& c) { return c.dir_bits - 1 + c.t_frac_bits; }
 std::int64_t max_ticks(const Config& c) { return (std::int64_t(1) << c.t_bits()) - 1; }
 
-/// Returns the largest allowed excess of a sphere's t, in units of t: model/unit/tri/test_primitive.hpp.
+/// Returns the largest allowed excess of a sphere's t, in units of t: model/unit/tri/any_primitive.hpp.
 double sphere_error(const SolidRay& ray, const Solid& sphere, const Config& c) {
     const glm::dvec3 d = vector_of(ray.direction);
     const double square = glm::dot(d, d), unit = std::ldexp(1.0, tick_bits(c));

@@ -20,7 +20,7 @@ public:
 /// Returns the fault of a ray's answer, or null. These are judged exactly: the primitive and its side; t, u
 /// and v of triangles and planes, rounded as payloads.hpp states; whether anything other than a hole blocks a
 /// shadow ray; whether a sphere is hit. The t of a sphere may exceed the true one by the bound in
-/// model/unit/tri/test_primitive.hpp. So the sphere may lose to a primitive that is farther by less than
+/// model/unit/tri/any_primitive.hpp. So the sphere may lose to a primitive that is farther by less than
 /// this bound.
 ///
 /// The answer to a ray to or from a light may report any cut-out in its way, not only the nearest. `cutouts`:

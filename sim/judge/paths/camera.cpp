@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "model/base/axes.hpp"
-#include "sim/judge/paths/steps.hpp"
+#include "sim/judge/paths/arithmetic.hpp"
 
 namespace rayclock {
 

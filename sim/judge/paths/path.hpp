@@ -14,7 +14,7 @@
 #include "model/unit/shade/shader.hpp"
 #include "sim/judge/paths/answer.hpp"
 #include "sim/judge/paths/placed.hpp"
-#include "sim/judge/paths/steps.hpp"
+#include "sim/judge/paths/arithmetic.hpp"
 #include "sim/judge/paths/texture.hpp"
 #include "sim/judge/paths/world.hpp"
 

@@ -479,7 +479,7 @@ void PathJudge::judge_light_parts(const ShadeState& s, const LightParts& parts, 
            "the highlight's power is out of its bounds");
 }
 
-/// Returns the possible results of power() for a base in the range: model/unit/shade/power.hpp has its
+/// Returns the possible results of power() for a base in the range: model/fixed/power.hpp has its
 /// bounds.
 Range PathJudge::power_range(const Range& base, std::uint32_t shine) {
     const double exponent = shine / std::exp2(shine_frac), share = shine / std::exp2(shine_bits);

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "model/compile/plane.hpp"
-#include "sim/judge/paths/steps.hpp"
+#include "sim/judge/paths/arithmetic.hpp"
 
 namespace rayclock {
 

@@ -9,7 +9,7 @@
 
 #include "model/base/axes.hpp"
 #include "model/compile/plane.hpp"
-#include "sim/judge/paths/steps.hpp"
+#include "sim/judge/paths/arithmetic.hpp"
 #include "sim/judge/paths/texture.hpp"
 
 namespace rayclock {

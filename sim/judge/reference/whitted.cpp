@@ -33,10 +33,10 @@ glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
 }
 
 /// Traces the rays of pixels and counts them.
-class Tracer {
+class WhittedTracer {
 public:
-    Tracer(const RefGeometry& geometry, const Scene& scene, const Whitted& settings, const RayWatch& watch,
-           double spread, RefSteer* steer = nullptr)
+    WhittedTracer(const RefGeometry& geometry, const Scene& scene, const Whitted& settings,
+                  const RayWatch& watch, double spread, RefSteer* steer = nullptr)
         : geometry_(geometry),
           scene_(scene),
           settings_(settings),
@@ -81,7 +81,7 @@ private:
     PathSignature signature_;   ///< of the pixel
 };
 
-void Tracer::on_triangle(const RefPath& path, const RefClosest& hit, RefSurface& surface) const {
+void WhittedTracer::on_triangle(const RefPath& path, const RefClosest& hit, RefSurface& surface) const {
     const Triangle& triangle = scene_.triangles[hit.primitive];
     const auto& vertex = triangle.vertex;
     const RefUnitSpace& space = geometry_.space();
@@ -111,7 +111,7 @@ void Tracer::on_triangle(const RefPath& path, const RefClosest& hit, RefSurface&
     surface.normal = unit_or((1 - at.u - at.v) * n[0] + at.u * n[1] + at.v * n[2], surface.flat);
 }
 
-void Tracer::on_sphere(const RefPath& path, const RefClosest& hit, RefSurface& surface) const {
+void WhittedTracer::on_sphere(const RefPath& path, const RefClosest& hit, RefSurface& surface) const {
     const Sphere& sphere = scene_.spheres[hit.primitive - scene_.triangles.size()];
     const glm::dvec3 centre = geometry_.space()(sphere.centre);
     surface.material = &scene_.materials[sphere.material];
@@ -119,7 +119,7 @@ void Tracer::on_sphere(const RefPath& path, const RefClosest& hit, RefSurface& s
     surface.position = centre + sphere.radius * geometry_.space().scale * surface.flat;
 }
 
-void Tracer::on_plane(const RefClosest& hit, RefSurface& surface) const {
+void WhittedTracer::on_plane(const RefClosest& hit, RefSurface& surface) const {
     const Plane& plane = scene_.planes[hit.primitive - scene_.triangles.size() - scene_.spheres.size()];
     const RefUnitSpace& space = geometry_.space();
     surface.material = &scene_.materials[plane.material];
@@ -134,8 +134,8 @@ void Tracer::on_plane(const RefClosest& hit, RefSurface& surface) const {
 
 /// Finds the place in the texture of the surface that was hit, and the density of its texels
 /// (RefTexel::detail).
-void Tracer::find_place(const Texture& texture, const RefClosest& hit, const RefSurface& surface,
-                        RefTexel& texel) const {
+void WhittedTracer::find_place(const Texture& texture, const RefClosest& hit, const RefSurface& surface,
+                               RefTexel& texel) const {
     const std::size_t triangles = scene_.triangles.size(), planes = triangles + scene_.spheres.size();
     const auto between = [&](const CornerCoordinates& c) {
         return (1 - hit.u - hit.v) * c[0] + hit.u * c[1] + hit.v * c[2];
@@ -155,7 +155,7 @@ void Tracer::find_place(const Texture& texture, const RefClosest& hit, const Ref
 
 /// Returns the factor of a surface's colour: the colour of its texture, or 1. Determines whether a triangle
 /// has a hole there.
-glm::dvec3 Tracer::picture(const RefPath& path, const RefClosest& hit, RefSurface& surface) const {
+glm::dvec3 WhittedTracer::picture(const RefPath& path, const RefClosest& hit, RefSurface& surface) const {
     const std::optional<std::uint32_t> number = texture_of(scene_, hit.primitive);
     if (!number) return glm::dvec3(1);
     const Texture& texture = scene_.textures[*number];
@@ -175,7 +175,7 @@ glm::dvec3 Tracer::picture(const RefPath& path, const RefClosest& hit, RefSurfac
     return own.colour;
 }
 
-RefSurface Tracer::surface_of(const RefPath& path, const RefClosest& hit) const {
+RefSurface WhittedTracer::surface_of(const RefPath& path, const RefClosest& hit) const {
     RefSurface surface;
     surface.primitive = hit.primitive;
     if (hit.primitive < scene_.triangles.size())
@@ -198,7 +198,7 @@ RefSurface Tracer::surface_of(const RefPath& path, const RefClosest& hit) const 
     return surface;
 }
 
-RefPath Tracer::leave(const RefSurface& surface, const glm::dvec3& direction, bool goes_through) {
+RefPath WhittedTracer::leave(const RefSurface& surface, const glm::dvec3& direction, bool goes_through) {
     const glm::dvec3 size = glm::abs(surface.position);
     const double reach = 1 + std::max(size.x, std::max(size.y, size.z));
     const glm::dvec3 side = goes_through ? -surface.flat : surface.flat;
@@ -207,7 +207,7 @@ RefPath Tracer::leave(const RefSurface& surface, const glm::dvec3& direction, bo
 }
 
 /// Returns the light that one source adds, or 0 if it is blocked.
-glm::dvec3 Tracer::light(const RefPath& path, const RefSurface& surface, std::size_t number) {
+glm::dvec3 WhittedTracer::light(const RefPath& path, const RefSurface& surface, std::size_t number) {
     const Light& light = scene_.lights[number];
     const Material& m = *surface.material;
     const bool is_turned = watch_.lights_outside_of_glass && m.transmit > 0 && surface.is_inside;
@@ -262,7 +262,8 @@ double schlick(double index, double cosine) {
 
 /// A total reflection counts as a refracted ray where a refracted ray would have been sent, as Haines
 /// counts it.
-void Tracer::reflect_and_refract(const RefPath& path, const RefSurface& surface, double weight, int depth) {
+void WhittedTracer::reflect_and_refract(const RefPath& path, const RefSurface& surface, double weight,
+                                        int depth) {
     const Material& m = *surface.material;
     // Near its outline a smooth surface may show its back. Then it counts as seen edge-on.
     const double cosine = std::clamp(-glm::dot(surface.normal, path.direction), 0.0, 1.0);
@@ -306,21 +307,21 @@ void Tracer::reflect_and_refract(const RefPath& path, const RefSurface& surface,
     follow_bounce(bent, depth);
 }
 
-bool Tracer::sends(RefBounce& bounce) const {
+bool WhittedTracer::sends(RefBounce& bounce) const {
     if (steer_) return steer_->accept_bounce(bounce);
     const double side = glm::dot(bounce.direction, bounce.surface.flat);
     return bounce.weighs_enough &&
            (bounce.interaction == RefBounce::Interaction::reflected ? side > 0 : side < 0);
 }
 
-void Tracer::follow_bounce(const RefBounce& bounce, int depth) {
+void WhittedTracer::follow_bounce(const RefBounce& bounce, int depth) {
     if (steer_) steer_->enter(bounce.interaction);
     follow(leave(bounce.surface, bounce.direction, bounce.interaction == RefBounce::Interaction::refracted),
            bounce.weight, depth + 1);
     if (steer_) steer_->leave();
 }
 
-void Tracer::shade(const RefPath& path, const RefClosest& hit, double weight, int depth) {
+void WhittedTracer::shade(const RefPath& path, const RefClosest& hit, double weight, int depth) {
     const RefSurface surface = surface_of(path, hit);
     const Material& m = *surface.material;
     if (surface.is_hole && path.holes < max_holes) {
@@ -339,14 +340,14 @@ void Tracer::shade(const RefPath& path, const RefClosest& hit, double weight, in
         reflect_and_refract(path, surface, weight, depth);
 }
 
-void Tracer::report_ray(const RefPath& path, double reach, bool hits,
-                        std::vector<std::uint32_t> blockers) const {
+void WhittedTracer::report_ray(const RefPath& path, double reach, bool hits,
+                               std::vector<std::uint32_t> blockers) const {
     const RefUnitSpace& space = geometry_.space();
     watch_.see({space.centre + path.from / space.scale, path.direction, reach / space.scale, hits,
                 std::move(blockers)});
 }
 
-RefClosest Tracer::closest(const RefPath& path) {
+RefClosest WhittedTracer::closest(const RefPath& path) {
     RefClosest hit = geometry_.closest(path);
     if (steer_) hit = steer_->choose_hit(path, hit);
     const bool hits = hit.primitive != no_primitive;
@@ -354,7 +355,7 @@ RefClosest Tracer::closest(const RefPath& path) {
     return hit;
 }
 
-void Tracer::follow(const RefPath& path, double weight, int depth) {
+void WhittedTracer::follow(const RefPath& path, double weight, int depth) {
     const RefClosest hit = closest(path);
     signature_.met(hit.primitive);
     if (hit.primitive == no_primitive)
@@ -363,7 +364,7 @@ void Tracer::follow(const RefPath& path, double weight, int depth) {
         shade(path, hit, weight, depth);
 }
 
-glm::dvec3 Tracer::sample(const RefPath& path, RefClosest& hit) {
+glm::dvec3 WhittedTracer::sample(const RefPath& path, RefClosest& hit) {
     ++counts_.primary;
     hit = closest(path);
     signature_.met(hit.primitive);
@@ -375,7 +376,7 @@ glm::dvec3 Tracer::sample(const RefPath& path, RefClosest& hit) {
 }
 
 /// Returns the mean of all samples, or of the first few if they differ little.
-glm::dvec3 Tracer::pixel(const PixelRays& rays, std::uint32_t x, std::uint32_t y, Hit& first) {
+glm::dvec3 WhittedTracer::pixel(const PixelRays& rays, std::uint32_t x, std::uint32_t y, Hit& first) {
     const auto samples = static_cast<std::uint32_t>(settings_.aa * settings_.aa);
     glm::dvec3 total(0), darkest(1), brightest(0);
     signature_.start();
@@ -415,7 +416,7 @@ WhittedFrame ref_whitted(const RefGeometry& geometry, const Scene& scene, const 
                        std::vector<std::uint64_t>(pixels)};
     std::mutex adding;
     for_each_tile(size, threads, "reference", progress, [&](const PixelTile& tile) {
-        Tracer tracer(geometry, scene, settings, watch, sample_spread(camera, size, settings.aa));
+        WhittedTracer tracer(geometry, scene, settings, watch, sample_spread(camera, size, settings.aa));
         for (int y = tile.rows().begin(); y < tile.rows().end(); ++y)
             for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
                 const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
@@ -433,7 +434,7 @@ WhittedFrame ref_whitted(const RefGeometry& geometry, const Scene& scene, const 
 WhittedPixel ref_pixel(const RefGeometry& geometry, const Scene& scene, const Camera& camera, FrameSize size,
                        const Whitted& settings, std::uint32_t x, std::uint32_t y, RefSteer* steer) {
     static const RayWatch nobody;
-    Tracer tracer(geometry, scene, settings, nobody, sample_spread(camera, size, settings.aa), steer);
+    WhittedTracer tracer(geometry, scene, settings, nobody, sample_spread(camera, size, settings.aa), steer);
     WhittedPixel pixel;
     pixel.colour = tracer.pixel(pixel_rays(camera, size), x, y, pixel.first);
     pixel.signature = tracer.signature();

@@ -20,7 +20,7 @@
 #include "sim/load/json/parts.hpp"
 #include "sim/load/json/shapes.hpp"
 #include "sim/load/mesh/mesh_file.hpp"
-#include "sim/load/place.hpp"
+#include "sim/load/part_builder.hpp"
 #include "sim/load/textures.hpp"
 
 namespace rayclock {

@@ -16,7 +16,7 @@
 
 #include "model/scene/scene.hpp"
 #include "sim/load/loading.hpp"
-#include "sim/load/place.hpp"
+#include "sim/load/part_builder.hpp"
 #include "sim/load/surface.hpp"
 
 namespace rayclock {

@@ -13,7 +13,7 @@
 #include "model/machine/links.hpp"
 #include "model/mem/cache.hpp"
 #include "model/unit/shade/state.hpp"
-#include "model/unit/shade/tables.hpp"
+#include "model/fixed/tables.hpp"
 #include "model/unit/tex/texel.hpp"
 #include "model/unit/trav/children.hpp"
 #include "sim/run/gen/registers.hpp"
@@ -647,7 +647,7 @@ std::string rc_package(const Config& config) {
     p.say("What follows from these: model/core/config.hpp.");
     derived(p, config);
     enumerations(p);
-    p.say("Tables of the shade unit's cells: model/unit/shade/tables.hpp.");
+    p.say("Tables of the shade unit's cells: model/fixed/tables.hpp.");
     p.table("InverseRoot", inverse_root_table(), root_value_bits, root_step_bits);
     p.table("Log", log_table(), log_value_bits, log_step_bits);
     p.table("Exp", exp_table(), exp_value_bits, exp_step_bits);

@@ -86,8 +86,8 @@ std::vector<PortSpec> taps_of_chip(const Config& config) {
 
 /// Returns true if the module has a reset. Arithmetic cells have none.
 bool has_reset(const std::string& module) {
-    return module != "rc_unit" && module != "rc_power" && module != "rc_log" && module != "rc_path_length" &&
-           module != "rc_tmds";
+    return module != "rc_unit_vector" && module != "rc_power" && module != "rc_log" &&
+           module != "rc_path_length" && module != "rc_tmds";
 }
 /// Returns true if the module has a clock. Combinational cells have none.
 bool has_clock(const std::string& module) { return module != "rc_log"; }
@@ -185,7 +185,7 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
     if (module == "rc_path_length")
         return {{"valid", fixed}, {"s1_phase", fixed}, {"s0_path", fixed},
                 {"s0_t", fixed},  {"s0_d", fixed},     {"s3_path", plain}};
-    if (module == "rc_unit") return {{"valid", fixed}, {"v", fixed}, {"u", plain}};
+    if (module == "rc_unit_vector") return {{"valid", fixed}, {"v", fixed}, {"u", plain}};
     if (module == "rc_pass") {
         std::vector<PortSpec> ports{{"frame", fixed},
                                     {"valid", fixed},

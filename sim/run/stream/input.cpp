@@ -25,13 +25,6 @@ Outside parse_outside(const std::string& text) {
     throw UserError("--outside: " + shown(text) + " is not clip or refuse");
 }
 
-StreamTracer parse_stream_tracer(const std::string& text) {
-    if (text == "reference") return StreamTracer::reference;
-    if (text == "model") return StreamTracer::model;
-    if (text == "rtl") return StreamTracer::rtl;
-    throw UserError("--engine: " + shown(text) + " is not reference, model or rtl");
-}
-
 StreamInput::StreamInput(Scene scene, std::unique_ptr<const Rays> rays, Outside outside)
     : scene_(std::move(scene)), rays_(std::move(rays)), outside_(outside) {
     refuse_folded(scene_);
@@ -93,14 +86,13 @@ std::vector<StreamHit> trace_on_reference(const StreamInput& input, int threads,
 
 }   // namespace
 
-StreamAnswers trace_stream(const StreamInput& input, StreamTracer tracer, const Config& config, int threads,
+StreamAnswers trace_stream(const StreamInput& input, Tracer tracer, const Config& config, int threads,
                            const Progress& progress) {
-    if (tracer == StreamTracer::reference) return {trace_on_reference(input, threads, progress), {}};
+    if (tracer == Tracer::reference) return {trace_on_reference(input, threads, progress), {}};
     const StreamJob stream = input.job(config, progress);
     const std::vector<Closest> answers =
-        tracer == StreamTracer::rtl
-            ? run_rtl(stream.job, {}, progress).answers
-            : record_frame(stream.job, stream.job.frame, threads, progress).trace.hits;
+        tracer == Tracer::rtl ? run_rtl(stream.job, {}, progress).answers
+                              : record_frame(stream.job, stream.job.frame, threads, progress).trace.hits;
     if (interrupted()) throw Interrupted("interrupted: nothing is written");
     return {hits_of(stream, answers), stream_notes(stream)};
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/run/request/tracer.hpp"
 #include "sim/run/stream/stream.hpp"
 
 namespace rayclock {
@@ -39,11 +40,6 @@ private:
 /// Returns a sentence for each kind of change that the host made to the rays of a stream, such as clipping.
 std::vector<std::string> stream_notes(const StreamJob& stream);
 
-/// What traces a stream: the software tracer, the model or the RTL.
-enum class StreamTracer { reference, model, rtl };
-/// Parses "reference", "model" or "rtl". Throws UserError.
-StreamTracer parse_stream_tracer(const std::string& text);
-
 /// The answers to a stream, in the order of the rays.
 struct StreamAnswers {
     std::vector<StreamHit> hits;
@@ -52,7 +48,7 @@ struct StreamAnswers {
 /// Returns every ray's answer without timing, in the order of the rays. The reference traces the rays and the
 /// scene as given, in double precision; its t, u and v have the precision of float32. Model and RTL give
 /// equal answers. Throws UserError, and Interrupted after Ctrl-C.
-StreamAnswers trace_stream(const StreamInput& input, StreamTracer tracer, const Config& config,
-                           int threads = 0, const Progress& progress = {});
+StreamAnswers trace_stream(const StreamInput& input, Tracer tracer, const Config& config, int threads = 0,
+                           const Progress& progress = {});
 
 }   // namespace rayclock

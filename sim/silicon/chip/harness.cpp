@@ -40,19 +40,19 @@ endmodule
 
 bool is_clock(const Port& port) { return port.name == "clk_i" || port.name == "rst_ni"; }
 
-std::uint64_t width_of(const Face& face, bool inputs) {
+std::uint64_t width_of(const ModuleInterface& interface, bool inputs) {
     std::uint64_t sum = 0;
-    for (const Port& port : face.ports)
+    for (const Port& port : interface.ports)
         if (port.is_input == inputs && !is_clock(port)) sum += port.width;
     return std::max<std::uint64_t>(sum, 1);
 }
 
 }   // namespace
 
-Face face_of(const std::string& netlist, const std::string& top) {
-    const std::string file = "face.json of yosys";
+ModuleInterface interface_of(const std::string& netlist, const std::string& top) {
+    const std::string file = "interface.json of yosys";
     parse_json(file, netlist);   // refuses text that is not JSON, and names the line
-    Face face;
+    ModuleInterface interface;
     std::set<std::string> modules;
     understood(file, [&] {   // keeps the order of ports for the harness
         const nlohmann::ordered_json document = nlohmann::ordered_json::parse(netlist);
@@ -60,19 +60,19 @@ Face face_of(const std::string& netlist, const std::string& top) {
             const std::string name = synth::module_name(type);
             if (name.empty() || type.starts_with("$abstract")) continue;
             modules.insert(name);
-            if (name != top || !face.ports.empty()) continue;
+            if (name != top || !interface.ports.empty()) continue;
             for (const auto& [port, what] : module.at("ports").items())
-                face.ports.push_back({port, what.at("direction") == "input", what.at("bits").size()});
+                interface.ports.push_back({port, what.at("direction") == "input", what.at("bits").size()});
         }
     });
-    face.modules.assign(modules.begin(), modules.end());
-    return face;
+    interface.modules.assign(modules.begin(), modules.end());
+    return interface;
 }
 
-std::string harness_text(const Config& config, const std::string& top, const Face& face) {
+std::string harness_text(const Config& config, const std::string& top, const ModuleInterface& interface) {
     std::vector<std::string> ports, parameters;
     std::uint64_t in = 0, out = 0;
-    for (const Port& port : face.ports) {
+    for (const Port& port : interface.ports) {
         std::uint64_t& at = port.is_input ? in : out;
         if (is_clock(port))
             ports.push_back(fmt::format(".{}({})", port.name, port.name == "clk_i" ? "clk_i" : "rst_q"));
@@ -84,8 +84,8 @@ std::string harness_text(const Config& config, const std::string& top, const Fac
     for (const auto& [name, value] : synth::parameters_of(config, top))
         parameters.push_back(fmt::format(".{}({})", name, value));
     return fmt::format(
-        harness_template, fmt::arg("top", top), fmt::arg("in", width_of(face, true)),
-        fmt::arg("out", width_of(face, false)),
+        harness_template, fmt::arg("top", top), fmt::arg("in", width_of(interface, true)),
+        fmt::arg("out", width_of(interface, false)),
         fmt::arg("parameters", parameters.empty() ? "" : fmt::format("#({}) ", fmt::join(parameters, ", "))),
         fmt::arg("ports", fmt::join(ports, ",\n    ")));
 }

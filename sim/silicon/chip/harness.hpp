@@ -16,17 +16,17 @@ struct Port {
 };
 
 /// The interface and the modules of a top module, from Yosys's elaboration.
-struct Face {
+struct ModuleInterface {
     std::vector<Port> ports;
     /// The top and all modules below it, without rc_, in alphabetical order.
     std::vector<std::string> modules;
 };
 /// Reads the output of Yosys's write_json for blackboxes. Throws UserError if the text has another format.
-Face face_of(const std::string& netlist, const std::string& top);
+ModuleInterface interface_of(const std::string& netlist, const std::string& top);
 
 /// Returns the harness, which holds an instance `u_TOP` of rc_TOP. A shift register drives all inputs.
 /// Registers sample all outputs, and a second shift register sums them. So at most one XOR lies between two
 /// registers of the harness, and no logic lies between them and the unit's ports.
-std::string harness_text(const Config& config, const std::string& top, const Face& face);
+std::string harness_text(const Config& config, const std::string& top, const ModuleInterface& interface);
 
 }   // namespace rayclock::chip

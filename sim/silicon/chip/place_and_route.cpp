@@ -121,7 +121,7 @@ private:
         const std::string package = results::hash_text(rc_package(request_.config));
         const std::string key = fmt::format("package {} rtl {} top {} {}", package, synth::rtl_digest(),
                                             request_.top, synth::yosys_version());
-        if (const auto known = cache_.find("chip-face", key, [](const ordered_json& json) {
+        if (const auto known = cache_.find("chip-interface", key, [](const ordered_json& json) {
                 return std::tuple(json.at("harness").get<std::string>(),
                                   json.at("modules").get<std::string>(), json.at("units").get<std::string>());
             })) {
@@ -130,17 +130,18 @@ private:
             const synth::YosysFolder folder(cache_.folder());
             run_yosys(
                 folder, request_.config,
-                synth::elaborate(request_.config, request_.top) + "blackbox =*\nwrite_json face.json\n");
-            const Face face = face_of(folder.text("face.json"), request_.top);
-            harness_ = harness_text(request_.config, request_.top, face);
+                synth::elaborate(request_.config, request_.top) + "blackbox =*\nwrite_json interface.json\n");
+            const ModuleInterface interface = interface_of(folder.text("interface.json"), request_.top);
+            harness_ = harness_text(request_.config, request_.top, interface);
             std::string texts;
             for (const fs::path& file : rtl_files())
-                for (const std::string& module : face.modules)
+                for (const std::string& module : interface.modules)
                     if (file.filename() == "rc_" + module + ".sv")
                         texts += synth::synthesised_text(read_if_there(file));
             modules_ = results::hash_text(texts);
-            units_ = units_of(face);
-            cache_.keep("chip-face", key, {{"harness", harness_}, {"modules", modules_}, {"units", units_}});
+            units_ = units_of(interface);
+            cache_.keep("chip-interface", key,
+                        {{"harness", harness_}, {"modules", modules_}, {"units", units_}});
         }
         design_ = fmt::format("top {} of copies package {} modules {} harness {} script {} {}", request_.top,
                               package, modules_, results::hash_text(harness_), results::hash_text(script()),
@@ -165,11 +166,11 @@ private:
     }
 
     /// Returns patterns of Yosys for the modules that stay separate: the top module and the units in it.
-    std::string units_of(const Face& face) const {
+    std::string units_of(const ModuleInterface& interface) const {
         std::string patterns = fmt::format("*rc_{}*", request_.top);
         const auto add = [&](const std::string& unit) {
-            const bool there =
-                std::find(face.modules.begin(), face.modules.end(), unit) != face.modules.end();
+            const bool there = std::find(interface.modules.begin(), interface.modules.end(), unit) !=
+                               interface.modules.end();
             if (there && unit != request_.top) patterns += fmt::format(" *rc_{}*", unit);
         };
         for (const area::UnitRow& row : area::unit_rows()) add(row.name);

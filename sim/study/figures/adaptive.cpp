@@ -21,11 +21,11 @@ struct SamplingPoint {
     Distance error;
 };
 
-std::vector<SamplingPoint> measure_samplings(Stage& stage, Engine engine) {
-    const Picture best = stage.take(engine, {.depth = adaptive_depth, .aa = max_aa}).picture;
+std::vector<SamplingPoint> measure_samplings(Stage& stage, Tracer tracer) {
+    const Picture best = stage.take(tracer, {.depth = adaptive_depth, .aa = max_aa}).picture;
     std::vector<SamplingPoint> points;
     const auto add = [&](const std::string& label, const Whitted& settings) {
-        const Shot shot = stage.take(engine, settings);
+        const Shot shot = stage.take(tracer, settings);
         points.push_back(
             {label, settings, shot.rays, shot.run ? shot.run->cycles : 0, distance(shot.picture, best)});
     };
@@ -83,7 +83,7 @@ double work(const SamplingPoint& p) { return p.cycles ? double(p.cycles) : doubl
 
 /// Names the finest uniform grid that some contrast beats in error and in work, and the cheapest such
 /// contrast.
-std::string sentence(const std::vector<SamplingPoint>& points, Engine engine) {
+std::string sentence(const std::vector<SamplingPoint>& points, Tracer tracer) {
     const SamplingPoint *even = nullptr, *cheap = nullptr;
     for (const SamplingPoint& e : points) {
         if (e.settings.contrast > 0) continue;
@@ -94,10 +94,10 @@ std::string sentence(const std::vector<SamplingPoint>& points, Engine engine) {
                 least = &p;
         if (least) even = &e, cheap = least;
     }
-    if (!even) return fmt::format("By the {}, no contrast beats an even grid.", name_of(engine));
+    if (!even) return fmt::format("By the {}, no contrast beats an even grid.", title_of(tracer));
     return fmt::format(
         "By the {}, contrast {} has an error of {:.4f}, {} everywhere of {:.4f} with {:.2f} times the {}.",
-        name_of(engine), cheap->label, cheap->error.rmse, even->label, even->error.rmse,
+        title_of(tracer), cheap->label, cheap->error.rmse, even->label, even->error.rmse,
         work(*even) / work(*cheap), cheap->cycles ? "cycles" : "rays");
 }
 
@@ -114,23 +114,23 @@ void adaptive(Page& page) {
         page.say(fmt::format("\n### `{}`\n\n", scene));
         std::vector<std::vector<std::string>> rows;
         std::string sentences;
-        for (const Engine e : page.measured()) {
-            const std::vector<SamplingPoint> points = measure_samplings(stage, e);
+        for (const Tracer tracer : page.measured()) {
+            const std::vector<SamplingPoint> points = measure_samplings(stage, tracer);
             const int khz = stage.job().khz;
             const double pixels = double(stage.job().size.width) * stage.job().size.height;
-            if (e == page.measured().back())
+            if (tracer == page.measured().back())
                 page.say(page.plot(std::string("adaptive-") + scene,
                                    drawing(fmt::format("{}, {}x{} pixels, {}", scene, stage.job().size.width,
-                                                       stage.job().size.height, name_of(e)),
+                                                       stage.job().size.height, title_of(tracer)),
                                            points, khz)) +
                          "\n\n");
             for (const SamplingPoint& p : points)
-                rows.push_back({p.settings.contrast > 0 ? "contrast " + p.label : p.label, name_of(e),
+                rows.push_back({p.settings.contrast > 0 ? "contrast " + p.label : p.label, title_of(tracer),
                                 fmt::format("{:.2f}", double(p.rays.primary) / pixels), grouped(p.rays.all()),
                                 p.cycles ? grouped(p.cycles) : "", fmt::format("{:.5f}", p.error.rmse),
                                 decibels(p.error.psnr_db)});
-            sentences += sentence(points, e) + " ";
-            page.numbers["adaptive"][scene][name_of(e)] = json_of(points);
+            sentences += sentence(points, tracer) + " ";
+            page.numbers["adaptive"][scene][title_of(tracer)] = json_of(points);
         }
         page.say(sentences + "\n");
         page.table({"samples", "engine", "samples a pixel", "rays", "cycles", "RMSE", "PSNR, dB"}, rows);

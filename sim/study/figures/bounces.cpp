@@ -12,11 +12,11 @@ constexpr int most = 5;
 constexpr double factor = 4;
 
 struct Series {
-    Engine engine;
+    Tracer tracer;
     std::vector<Shot> shots;   ///< by depth
 };
 
-/// Renders all depths. Returns a series for each engine, in the order of the first depth's shots.
+/// Renders all depths. Returns a series for each tracer, in the order of the first depth's shots.
 std::vector<Series> draw(Page& page) {
     Stage stage(page.studio(), "spheres", {.depth = most});
     std::vector<Series> all;
@@ -33,13 +33,13 @@ std::vector<Series> draw(Page& page) {
 std::vector<std::string> row_of(const Series& s, std::size_t k, const Series& first) {
     const Shot& shot = s.shots[k];
     std::vector<std::string> row{std::to_string(k),
-                                 name_of(s.engine),
+                                 title_of(s.tracer),
                                  grouped(shot.rays.primary),
                                  grouped(shot.rays.shadow),
                                  grouped(shot.rays.reflection),
                                  grouped(shot.rays.refraction)};
     row.push_back(shot.run ? grouped(shot.run->cycles) : "");
-    row.push_back(s.engine != Engine::reference && first.engine == Engine::reference
+    row.push_back(s.tracer != Tracer::reference && first.tracer == Tracer::reference
                       ? decibels(distance(shot.picture, first.shots[k].picture).psnr_db)
                       : "");
     if (k == 0) {
@@ -67,7 +67,7 @@ void show(Page& page, const Series& s, std::size_t from, std::size_t to) {
     std::vector<std::string> head, pictures, differences;
     for (std::size_t k = from; k < to; ++k) {
         const Picture& picture = s.shots[k].picture;
-        const std::string name = fmt::format("spheres-{}-{}", name_of(s.engine), k);
+        const std::string name = fmt::format("spheres-{}-{}", title_of(s.tracer), k);
         head.push_back(fmt::format("depth {}", k));
         pictures.push_back(page.picture(name, picture));
         if (k == 0)
@@ -92,8 +92,8 @@ void bounces(Page& page) {
         "Below each picture is its difference from the previous depth, |difference| times {:.0f}.\n",
         most, factor));
     for (const Series& s : all) {
-        if (!page.is_shown(s.engine)) continue;
-        page.say(fmt::format("\nBy the {}:\n", name_of(s.engine)));
+        if (!page.is_shown(s.tracer)) continue;
+        page.say(fmt::format("\nBy the {}:\n", title_of(s.tracer)));
         show(page, s, 0, 3);
         show(page, s, 3, most + 1);
     }
@@ -105,7 +105,7 @@ void bounces(Page& page) {
     std::vector<std::vector<std::string>> rows;
     for (std::size_t k = 0; k <= most; ++k)
         for (const Series& s : all)
-            if (k < s.shots.size() && page.is_shown(s.engine)) rows.push_back(row_of(s, k, all[0]));
+            if (k < s.shots.size() && page.is_shown(s.tracer)) rows.push_back(row_of(s, k, all[0]));
     page.table({"depth", "engine", "camera", "shadow", "reflected", "refracted", "cycles",
                 "PSNR from reference, dB", "added, of full scale", "of the last picture"},
                rows);
@@ -119,7 +119,7 @@ void bounces(Page& page) {
                         "as the fifth.\n",
                         added(1) / added(3), added(1) / added(5)));
     }
-    for (const Series& s : all) page.numbers["bounces"][name_of(s.engine)] = json_of(s);
+    for (const Series& s : all) page.numbers["bounces"][title_of(s.tracer)] = json_of(s);
 }
 
 }   // namespace rayclock::figures

@@ -33,7 +33,7 @@ struct CutoffPoint {
 };
 
 struct Curves {
-    Engine engine;
+    Tracer tracer;
     /// The last depth and the first threshold are the whole tree.
     std::vector<CutoffPoint> depths, thresholds;
 };
@@ -42,27 +42,27 @@ CutoffPoint point_of(const Shot& shot, const Whitted& settings, const Picture& w
     return {settings, shot.rays, shot.run ? shot.run->cycles : 0, distance(shot.picture, whole)};
 }
 
-Curves measure_cutoffs(Stage& stage, Engine engine) {
-    Curves curves{engine, {}, {}};
+Curves measure_cutoffs(Stage& stage, Tracer tracer) {
+    Curves curves{tracer, {}, {}};
     const Whitted all{.depth = max_depth};
-    const Shot whole = stage.take(engine, all);
+    const Shot whole = stage.take(tracer, all);
     for (int depth = 0; depth < max_depth; ++depth) {
         const Whitted settings{.depth = depth};
-        curves.depths.push_back(point_of(stage.take(engine, settings), settings, whole.picture));
+        curves.depths.push_back(point_of(stage.take(tracer, settings), settings, whole.picture));
         if (curves.depths.back().rays == whole.rays) break;   // no ray goes deeper
     }
     curves.depths.push_back(point_of(whole, all, whole.picture));
     curves.thresholds.push_back(curves.depths.back());
     for (int shift = finest_cutoff; shift >= 1; --shift) {
         const Whitted settings{.depth = max_depth, .threshold = 1.0 / (1 << shift)};
-        curves.thresholds.push_back(point_of(stage.take(engine, settings), settings, whole.picture));
+        curves.thresholds.push_back(point_of(stage.take(tracer, settings), settings, whole.picture));
     }
     return curves;
 }
 
 std::vector<std::string> row_of(const CutoffPoint& p, const CutoffPoint& whole, const std::string& name,
-                                Engine engine, int khz) {
-    std::vector<std::string> row{name, name_of(engine), grouped(p.rays.all()),
+                                Tracer tracer, int khz) {
+    std::vector<std::string> row{name, title_of(tracer), grouped(p.rays.all()),
                                  per_cent(1 - double(p.rays.all()) / double(whole.rays.all()))};
     if (p.cycles)
         row.insert(row.end(), {grouped(p.cycles), fmt::format("{:.1f}", khz * 1e3 / double(p.cycles))});
@@ -108,10 +108,10 @@ void tabulate(Page& page, const std::vector<Curves>& all, int khz) {
     for (const Curves& c : all) {
         const CutoffPoint& whole = c.depths.back();
         for (const CutoffPoint& p : c.depths)
-            rows.push_back(row_of(p, whole, "depth " + p.label(), c.engine, khz));
+            rows.push_back(row_of(p, whole, "depth " + p.label(), c.tracer, khz));
         for (std::size_t i = 1; i < c.thresholds.size(); ++i)
             rows.push_back(
-                row_of(c.thresholds[i], whole, "weight >= " + c.thresholds[i].label(), c.engine, khz));
+                row_of(c.thresholds[i], whole, "weight >= " + c.thresholds[i].label(), c.tracer, khz));
     }
     page.table({"cut-off", "engine", "rays", "rays saved", "cycles", "fps at 66 MHz", "RMSE", "PSNR, dB"},
                rows);
@@ -128,7 +128,7 @@ std::string best_sentence(const Curves& c) {
         return per_cent(1 - double(p.rays.all()) / double(whole.rays.all()));
     };
     return fmt::format("By the {}, {:.0f} dB are kept by depth {} ({} of the rays saved){}.",
-                       name_of(c.engine), enough, depth->label(), saved(*depth),
+                       title_of(c.tracer), enough, depth->label(), saved(*depth),
                        threshold == &whole ? ", and by none of the thresholds"
                                            : fmt::format(", and by the threshold {} ({} saved)",
                                                          threshold->label(), saved(*threshold)));
@@ -147,7 +147,7 @@ void cutoffs(Page& page) {
     for (const Case& c : cases) {
         Stage stage(page.studio(), c.scene, {.depth = max_depth});
         std::vector<Curves> all;
-        for (const Engine e : page.measured()) all.push_back(measure_cutoffs(stage, e));
+        for (const Tracer tracer : page.measured()) all.push_back(measure_cutoffs(stage, tracer));
         if (all.empty()) continue;
         const int khz = stage.job().khz;
         page.say(fmt::format("\n### `{}`: {}\n\n", c.scene, c.what));
@@ -156,7 +156,7 @@ void cutoffs(Page& page) {
             "cutoffs-" + std::string(c.scene).substr(0, std::string_view(c.scene).find(':'));
         page.say(
             page.plot(file, plot::chart(fmt::format("{}, {}x{} pixels, {}", c.scene, stage.job().size.width,
-                                                    stage.job().size.height, name_of(shown.engine)),
+                                                    stage.job().size.height, title_of(shown.tracer)),
                                         "labels: the depth, the threshold",
                                         {panel_of("depth", shown.depths, "15", khz),
                                          panel_of("threshold", shown.thresholds, "0", khz)})) +
@@ -165,7 +165,7 @@ void cutoffs(Page& page) {
         page.say("\n");
         tabulate(page, all, khz);
         for (const Curves& curves : all)
-            page.numbers["cutoffs"][c.scene][name_of(curves.engine)] = {
+            page.numbers["cutoffs"][c.scene][title_of(curves.tracer)] = {
                 {"depths", json_of(curves.depths)}, {"thresholds", json_of(curves.thresholds)}};
     }
 }

@@ -39,21 +39,21 @@ std::string Page::plot(const std::string& name, const plot::Drawing& drawing) {
     return fmt::format("![{0}](figures/{0}.svg)", name);
 }
 
-std::vector<std::pair<Engine, Shot>> Page::shots(Stage& stage, const std::string& what,
+std::vector<std::pair<Tracer, Shot>> Page::shots(Stage& stage, const std::string& what,
                                                  const Whitted& settings) {
-    std::vector<std::pair<Engine, Shot>> all;
-    for (const Engine e : {Engine::reference, Engine::model})
-        if (studio_.has(e)) all.emplace_back(e, stage.take(e, settings));
-    if (!studio_.has(Engine::rtl) || !rtl_trouble_.empty()) return all;
+    std::vector<std::pair<Tracer, Shot>> all;
+    for (const Tracer tracer : {Tracer::reference, Tracer::model})
+        if (studio_.has(tracer)) all.emplace_back(tracer, stage.take(tracer, settings));
+    if (!studio_.has(Tracer::rtl) || !rtl_trouble_.empty()) return all;
     try {
-        all.emplace_back(Engine::rtl, stage.take(Engine::rtl, settings));
+        all.emplace_back(Tracer::rtl, stage.take(Tracer::rtl, settings));
     } catch (const UserError& e) {
         if (interrupted() || all.empty()) throw;   // only the RTL was requested
         rtl_trouble_ = e.what();
         return all;
     }
     ++rtl_pictures_;
-    if (!studio_.has(Engine::model)) return all;
+    if (!studio_.has(Tracer::model)) return all;
     const Shot &model = all[all.size() - 2].second, &rtl = all.back().second;
     if (model.run->colours != rtl.run->colours || model.run->cycles != rtl.run->cycles)
         throw std::runtime_error(fmt::format(
@@ -63,15 +63,16 @@ std::vector<std::pair<Engine, Shot>> Page::shots(Stage& stage, const std::string
     return all;
 }
 
-std::vector<Engine> Page::measured() const {
-    std::vector<Engine> all;
-    for (const Engine e : studio_.engines)
-        if (e != Engine::rtl || (!studio_.has(Engine::model) && rtl_trouble_.empty())) all.push_back(e);
+std::vector<Tracer> Page::measured() const {
+    std::vector<Tracer> all;
+    for (const Tracer tracer : studio_.tracers)
+        if (tracer != Tracer::rtl || (!studio_.has(Tracer::model) && rtl_trouble_.empty()))
+            all.push_back(tracer);
     return all;
 }
 
 std::string Page::rtl_sentence() const {
-    if (!studio_.has(Engine::rtl)) return "The RTL was not requested.";
+    if (!studio_.has(Tracer::rtl)) return "The RTL was not requested.";
     if (!rtl_trouble_.empty()) return "The RTL was left out: " + rtl_trouble_ + ".";
     if (rtl_compared_ == 0) return fmt::format("The RTL drew {} pictures.", rtl_pictures_);
     return fmt::format(

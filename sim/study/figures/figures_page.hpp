@@ -36,21 +36,21 @@ public:
     /// Writes folder/figures/NAME.svg and returns the Markdown that shows it.
     std::string plot(const std::string& name, const plot::Drawing& drawing);
 
-    /// Renders a picture with each requested engine. The RTL's picture and cycles must equal the model's;
+    /// Renders a picture with each requested tracer. The RTL's picture and cycles must equal the model's;
     /// otherwise throws std::runtime_error that names the picture. Omits the RTL if it was not requested or
     /// cannot be built.
-    std::vector<std::pair<Engine, Shot>> shots(Stage& stage, const std::string& what,
+    std::vector<std::pair<Tracer, Shot>> shots(Stage& stage, const std::string& what,
                                                const Whitted& settings);
-    /// Returns the engines that are measured for curves. The RTL is omitted if the model is present, because
+    /// Returns the tracers that are measured for curves. The RTL is omitted if the model is present, because
     /// its cycles and colours are the same.
-    std::vector<Engine> measured() const;
+    std::vector<Tracer> measured() const;
     /// Returns the outcome of the RTL as a sentence for the page.
     std::string rtl_sentence() const;
 
     nlohmann::ordered_json numbers = nlohmann::ordered_json::object();
     const std::string& text() const { return text_; }
-    /// Returns true if an engine has its own pictures and rows. The RTL's equal the model's.
-    bool is_shown(Engine e) const { return e != Engine::rtl || !studio_.has(Engine::model); }
+    /// Returns true if a tracer has its own pictures and rows. The RTL's equal the model's.
+    bool is_shown(Tracer tracer) const { return tracer != Tracer::rtl || !studio_.has(Tracer::model); }
 
 private:
     Studio studio_;

@@ -25,35 +25,35 @@ std::string file_of(const Grid& g) { return fmt::format("{}{}", g.side, g.jitter
 
 struct Sample {
     Grid grid;
-    Engine engine;
+    Tracer tracer;
     Shot shot;
 };
 
 std::vector<Sample> draw(Page& page, Stage& stage, const std::string& scene) {
     std::vector<Sample> all;
     for (const Grid& g : grids)
-        for (auto& [engine, shot] :
+        for (auto& [tracer, shot] :
              page.shots(stage, scene + ", " + grid_name(g), {.depth = 0, .aa = g.side, .jitter = g.jitter}))
-            all.push_back({g, engine, std::move(shot)});
+            all.push_back({g, tracer, std::move(shot)});
     return all;
 }
 
-/// Shows two rows of three pictures for each engine: regular above, jittered below.
+/// Shows two rows of three pictures for each tracer: regular above, jittered below.
 void show(Page& page, const std::vector<Sample>& all, const std::string& scene,
           const std::function<Picture(const Picture&)>& prepare) {
-    for (const Engine e : {Engine::reference, Engine::model, Engine::rtl}) {
-        if (!page.studio().has(e) || !page.is_shown(e)) continue;
+    for (const Tracer tracer : {Tracer::reference, Tracer::model, Tracer::rtl}) {
+        if (!page.studio().has(tracer) || !page.is_shown(tracer)) continue;
         Table table({"", "1 sample", "2x2", "4x4"}, Table::words_only);
         for (const bool jitter : {false, true}) {
             std::vector<std::string> row{jitter ? "jittered" : "regular"};
             for (const Sample& s : all)
-                if (s.engine == e && s.grid.jitter == jitter)
-                    row.push_back(
-                        page.picture(fmt::format("{}-{}-{}", scene, figures::name_of(e), file_of(s.grid)),
-                                     prepare(s.shot.picture)));
+                if (s.tracer == tracer && s.grid.jitter == jitter)
+                    row.push_back(page.picture(
+                        fmt::format("{}-{}-{}", scene, figures::title_of(tracer), file_of(s.grid)),
+                        prepare(s.shot.picture)));
             table.add(row);
         }
-        page.say(fmt::format("\nBy the {}:\n\n{}", figures::name_of(e), table.markdown()));
+        page.say(fmt::format("\nBy the {}:\n\n{}", figures::title_of(tracer), table.markdown()));
     }
 }
 
@@ -62,13 +62,13 @@ void tabulate(Page& page, const std::vector<Sample>& all, const Picture& best, c
     std::vector<std::vector<std::string>> rows;
     for (const Sample& s : all) {
         const Distance d = distance(s.shot.picture, best);
-        if (page.is_shown(s.engine))
-            rows.push_back({grid_name(s.grid), figures::name_of(s.engine), grouped(s.shot.rays.all()),
+        if (page.is_shown(s.tracer))
+            rows.push_back({grid_name(s.grid), figures::title_of(s.tracer), grouped(s.shot.rays.all()),
                             s.shot.run ? grouped(s.shot.run->cycles) : "", fmt::format("{:.4f}", d.rmse),
                             decibels(d.psnr_db)});
         nlohmann::ordered_json json{{"samples", s.grid.side * s.grid.side},
                                     {"jittered", s.grid.jitter},
-                                    {"engine", figures::name_of(s.engine)},
+                                    {"engine", figures::title_of(s.tracer)},
                                     {"rays", s.shot.rays.all()},
                                     {"rmse", d.rmse},
                                     {"psnr_db", d.psnr_db}};
@@ -94,7 +94,7 @@ void endless_plane(Page& page) {
     page.say(
         "\nError against the reference's picture of 8x8 regular samples (RMSE of linear colours, 1 is full "
         "scale; PSNR of 8-bit sRGB):\n");
-    tabulate(page, all, stage.take(Engine::reference, best_settings).picture, "plane");
+    tabulate(page, all, stage.take(Tracer::reference, best_settings).picture, "plane");
 }
 
 void edge(Page& page) {
@@ -113,7 +113,7 @@ void edge(Page& page) {
                     w, h, size.width, size.height, factor));
     show(page, all, "square", [&](const Picture& p) { return magnified(p, x, y, w, h, factor); });
     page.say("\nError against the reference's picture of 8x8 regular samples, over the whole picture:\n");
-    tabulate(page, all, stage.take(Engine::reference, best_settings).picture, "square");
+    tabulate(page, all, stage.take(Tracer::reference, best_settings).picture, "square");
 }
 
 }   // namespace rayclock::figures

@@ -91,10 +91,10 @@ void reference_rows(Page& page, const std::string& name, std::vector<std::vector
           {"seconds", tree.total}}}};
 }
 
-void machine_row(Page& page, const std::string& name, Engine engine,
+void machine_row(Page& page, const std::string& name, Tracer tracer,
                  std::vector<std::vector<std::string>>& rows) {
     Stage stage(page.studio(), name, {.depth = share_depth});
-    const Shot shot = stage.take(engine, {.depth = share_depth});
+    const Shot shot = stage.take(tracer, {.depth = share_depth});
     const FrameResult& run = *shot.run;
     const std::uint64_t rays = shot.rays.all(), primitives = primitive_count(stage.scene());
     double tri = 0, box = 0, shade = 0;
@@ -105,18 +105,18 @@ void machine_row(Page& page, const std::string& name, Engine engine,
         if (a.unit == "shade") shade = busy;
     }
     const double without = double(rays) * double(primitives);
-    rows.push_back({name, grouped(primitives), name_of(engine), grouped(rays), per_ray(run.box_tests, rays),
+    rows.push_back({name, grouped(primitives), title_of(tracer), grouped(rays), per_ray(run.box_tests, rays),
                     per_ray(run.triangle_tests, rays), per_cent(tri), per_cent(box), per_cent(shade),
                     grouped(run.cycles), grouped(std::uint64_t(without)),
                     fmt::format("{:.0f}", without / double(run.cycles))});
-    page.numbers["test_share"][name][name_of(engine)] = {{"rays", rays},
-                                                         {"box_tests", run.box_tests},
-                                                         {"tests", run.triangle_tests},
-                                                         {"cycles", run.cycles},
-                                                         {"tri_busy", tri},
-                                                         {"box_busy", box},
-                                                         {"shade_busy", shade},
-                                                         {"tests_without", without}};
+    page.numbers["test_share"][name][title_of(tracer)] = {{"rays", rays},
+                                                          {"box_tests", run.box_tests},
+                                                          {"tests", run.triangle_tests},
+                                                          {"cycles", run.cycles},
+                                                          {"tri_busy", tri},
+                                                          {"box_busy", box},
+                                                          {"shade_busy", shade},
+                                                          {"tests_without", without}};
 }
 
 }   // namespace
@@ -127,7 +127,7 @@ void test_share(Page& page) {
                     "intersection tests; he tested every ray against every object of the scene. Depth {}; "
                     "camera, shadow, reflected and refracted rays.\n",
                     share_depth));
-    if (page.studio().has(Engine::reference)) {
+    if (page.studio().has(Tracer::reference)) {
         std::vector<std::vector<std::string>> rows;
         for (const char* scene : share_scenes) reference_rows(page, scene, rows);
         page.say(
@@ -141,9 +141,9 @@ void test_share(Page& page) {
                    rows);
     }
     std::vector<std::vector<std::string>> rows;
-    for (const Engine e : page.measured())
-        if (e != Engine::reference)
-            for (const char* scene : share_scenes) machine_row(page, scene, e, rows);
+    for (const Tracer tracer : page.measured())
+        if (tracer != Tracer::reference)
+            for (const char* scene : share_scenes) machine_row(page, scene, tracer, rows);
     if (rows.empty()) return;
     page.say(
         "\nThe machine has a unit for each of these tasks, and the units work at the same time. A share is "

@@ -1,4 +1,4 @@
-// Renders one scene with each engine.
+// Renders one scene with each tracer.
 #include "sim/study/figures/studio.hpp"
 
 #include <algorithm>
@@ -17,7 +17,9 @@ Job job_of(const Studio& studio, const Scene& scene, FrameSize size, const Whitt
 
 }   // namespace
 
-bool Studio::has(Engine e) const { return std::find(engines.begin(), engines.end(), e) != engines.end(); }
+bool Studio::has(Tracer tracer) const {
+    return std::find(tracers.begin(), tracers.end(), tracer) != tracers.end();
+}
 
 Stage::Stage(const Studio& studio, const std::string& scene, const Whitted& most, FrameSize size)
     : studio_(studio),
@@ -25,9 +27,9 @@ Stage::Stage(const Studio& studio, const std::string& scene, const Whitted& most
       job_(job_of(studio, scene_, size, most)),
       reference_(scene_) {}
 
-Shot Stage::take(Engine engine, const Whitted& settings) {
+Shot Stage::take(Tracer tracer, const Whitted& settings) {
     stop_if_interrupted();
-    if (engine == Engine::reference) {
+    if (tracer == Tracer::reference) {
         const WhittedFrame frame =
             reference_.whitted(*scene_.camera, job_.size, settings, studio_.threads, studio_.progress);
         return {picture_from_reference(frame), frame.rays, {}};
@@ -35,7 +37,7 @@ Shot Stage::take(Engine engine, const Whitted& settings) {
     job_.frame.shade =
         make_shade_frame(scene_, settings, job_.image, std::uint32_t(job_.size.height), job_.config);
     Shot shot;
-    if (engine == Engine::rtl) {
+    if (tracer == Tracer::rtl) {
         shot.run = run_rtl(job_, {}, studio_.progress);
     } else {
         std::vector<RecordedFrame> frames;

@@ -1,5 +1,5 @@
 #pragma once
-// Finished pictures of one scene by the three engines, for comparison on a page.
+// Finished pictures of one scene by the three tracers, for comparison on a page.
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,21 +7,23 @@
 #include "sim/files/process/stopping.hpp"
 #include "sim/judge/reference/reference.hpp"
 #include "sim/run/frame/frame.hpp"
+#include "sim/run/request/tracer.hpp"
 
 namespace rayclock::figures {
 
-enum class Engine { reference, model, rtl };
-constexpr const char* engine_names[] = {"reference", "model", "RTL"};
-constexpr const char* name_of(Engine e) { return engine_names[int(e)]; }
+/// Returns a tracer's name on the page.
+constexpr const char* title_of(Tracer tracer) {
+    return tracer == Tracer::reference ? "reference" : tracer == Tracer::model ? "model" : "RTL";
+}
 
 /// Settings that all figures of a page share.
 struct Studio {
     FrameSize size{256, 192};
     int threads = 0;
-    std::vector<Engine> engines{Engine::reference, Engine::model, Engine::rtl};
+    std::vector<Tracer> tracers{Tracer::reference, Tracer::model, Tracer::rtl};
     Progress progress;
 
-    bool has(Engine e) const;
+    bool has(Tracer tracer) const;
 };
 
 /// One picture and its costs.
@@ -39,7 +41,7 @@ public:
     Stage(const Studio& studio, const std::string& scene, const Whitted& most)
         : Stage(studio, scene, most, studio.size) {}
 
-    Shot take(Engine engine, const Whitted& settings);
+    Shot take(Tracer tracer, const Whitted& settings);
     const Scene& scene() const { return scene_; }
     const Job& job() const { return job_; }
 

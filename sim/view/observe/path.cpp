@@ -7,7 +7,7 @@
 #include "model/trace/record_shaded.hpp"
 #include "model/trace/walk.hpp"
 #include "model/unit/raygen/raygen.hpp"
-#include "model/unit/shade/pass.hpp"
+#include "model/unit/shade/pass/pass.hpp"
 
 namespace rayclock {
 

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "model/base/rng.hpp"
-#include "tests/board/link/answers.hpp"
+#include "tests/support/board/answers.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

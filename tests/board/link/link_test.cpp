@@ -2,7 +2,7 @@
 // wires that lose, double, damage and insert bytes.
 #include <algorithm>
 
-#include "tests/board/link/answers.hpp"
+#include "tests/support/board/answers.hpp"
 #include "tests/board/link/link_board.hpp"
 #include "tests/support/machine/build_all.hpp"
 #include <catch2/catch.hpp>

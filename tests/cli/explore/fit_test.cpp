@@ -29,14 +29,14 @@ std::string stadium(double half) {
 
 TEST_CASE("fit writes a configuration that verify passes with") {
     const std::string scene = GENERATE("teapot:3", "cornell");
-    const Folder folder;
+    const TestFolder folder;
     const std::string file = folder.name("fitted.json");
-    const Outcome fit =
+    const ProgramRun fit =
         run_program({"fit", scene, "--size", "64x48", "--max-error", "0.5%", "-o", file, "--json", "-"});
     INFO(fit.err);
     REQUIRE(fit.code == 0);
     CHECK(fit.err.empty());
-    const json report = json::parse(fit.out), written = json::parse(bytes_of(file));
+    const json report = json::parse(fit.out), written = json::parse(content_of(file));
 
     // The file states every parameter, and equals the report's configuration.
     CHECK(written == report.at("config"));
@@ -67,15 +67,17 @@ TEST_CASE("fit writes a configuration that verify passes with") {
 
     // The same run in words gives the same file.
     const std::string again = folder.name("again.json");
-    const Outcome words = run_program({"fit", scene, "--size", "64x48", "--max-error", "0.5 %", "-o", again});
+    const ProgramRun words =
+        run_program({"fit", scene, "--size", "64x48", "--max-error", "0.5 %", "-o", again});
     CHECK(words.code == 0);
-    CHECK(bytes_of(again) == bytes_of(file));
+    CHECK(content_of(again) == content_of(file));
     for (const char* word : {"no overflow possible", "coord_bits", "one step below", "memory image", "s3_det",
                              "rayclock verify"}) {
         INFO(word);
         CHECK(words.out.find(word) != std::string::npos);
     }
-    const Outcome verify = run_program({"verify", scene, "--size", "64x48", "--config", file, "--json", "-"});
+    const ProgramRun verify =
+        run_program({"verify", scene, "--size", "64x48", "--config", file, "--json", "-"});
     INFO(verify.err);
     CHECK(verify.code == 0);
     const json verified = json::parse(verify.out);
@@ -88,10 +90,10 @@ TEST_CASE("fit writes a configuration that verify passes with") {
 }
 
 TEST_CASE("fit keeps a PSNR, and says what a scene cannot have") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string file = folder.name("fitted.json");
-    const Outcome good = run_program({"fit", "tetra:3", "--size", "64x48", "--max-error", "1%", "--min-psnr",
-                                      "35", "-o", file, "--json", "-"});
+    const ProgramRun good = run_program({"fit", "tetra:3", "--size", "64x48", "--max-error", "1%",
+                                         "--min-psnr", "35", "-o", file, "--json", "-"});
     REQUIRE(good.code == 0);
     const json report = json::parse(good.out);
     CHECK((report.at("error").at("psnr_db").is_null() || report.at("error").at("psnr_db") >= 35));
@@ -99,7 +101,7 @@ TEST_CASE("fit keeps a PSNR, and says what a scene cannot have") {
 
     const std::string scene = folder.write("stadium.json", stadium(400000)),
                       never = folder.name("never.json");
-    const Outcome hopeless =
+    const ProgramRun hopeless =
         run_program({"fit", scene, "--size", "96x72", "--max-error", "0.5%", "-o", never});
     CHECK(hopeless.code == 1);
     CHECK(hopeless.out.empty());
@@ -111,7 +113,7 @@ TEST_CASE("fit keeps a PSNR, and says what a scene cannot have") {
     }
     CHECK(std::count(hopeless.err.begin(), hopeless.err.end(), '\n') == 1);
     // This scene has no triangles, so none can be too large.
-    const Outcome round =
+    const ProgramRun round =
         run_program({"fit", "spheres", "--depth", "1", "--size", "16x12", "--min-psnr", "150", "-o", never});
     CHECK(round.code == 1);
     CHECK(round.err.find("no width keeps the bound") != std::string::npos);
@@ -119,14 +121,14 @@ TEST_CASE("fit keeps a PSNR, and says what a scene cannot have") {
     CHECK(run_program(
               {"fit", "scenes/pond.json", "--depth", "2", "--size", "16x12", "-o", folder.name("pond.json")})
               .code == 0);
-    const Outcome fine = run_program({"fit", folder.write("garden.json", stadium(20)), "--size", "96x72",
-                                      "--max-error", "0.5%", "-o", never});
+    const ProgramRun fine = run_program({"fit", folder.write("garden.json", stadium(20)), "--size", "96x72",
+                                         "--max-error", "0.5%", "-o", never});
     INFO(fine.err);
     CHECK(fine.code == 0);
 }
 
 TEST_CASE("fit refuses goals that make no sense, and writes nothing") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string never = folder.name("never.json");
     const auto fit = [&](std::vector<std::string> more, const std::vector<std::string>& words) {
         std::vector<std::string> arguments{"fit", "tetra:1", "-o", never};

@@ -29,21 +29,21 @@ const Words grid{"sweep",       "tetra:2",        "--size", "16x12",
 
 /// A working folder with a cache that all parts share.
 struct SharedFolder {
-    const Folder folder;
+    const TestFolder folder;
     const Words cache{"RAYCLOCK_CACHE=" + folder.name("cache")};
 
     std::string part(int k) const { return folder.name("part-" + std::to_string(k) + ".json"); }
-    Outcome run(const Words& words) const { return run_program(words, cache); }
+    ProgramRun run(const Words& words) const { return run_program(words, cache); }
     /// Computes part k of n, and writes its report.
     void work_out(int k, int n) const {
-        const Outcome o =
+        const ProgramRun o =
             run(together(grid, {"--shard", std::to_string(k) + "/" + std::to_string(n), "--json", part(k)}));
         INFO(o.err);
         REQUIRE(o.code == 0);
     }
     /// Returns part k with one key of the report changed.
     std::string changed(int k, const std::string& pointer, const json& value) const {
-        auto report = nlohmann::ordered_json::parse(bytes_of(part(k)));
+        auto report = nlohmann::ordered_json::parse(content_of(part(k)));
         report[nlohmann::ordered_json::json_pointer(pointer)] = value;
         return folder.write("changed.json", report.dump());
     }
@@ -64,12 +64,12 @@ TEST_CASE("the parts of a sweep, merged in any order, are the sweep of one machi
             p.work_out(k, parts);
             merge.push_back(p.part(k));
         }
-        const Outcome o = p.run(together(merge, written("merged")));
+        const ProgramRun o = p.run(together(merge, written("merged")));
         INFO(o.err);
         REQUIRE(o.code == 0);
         for (const char* kind : {".csv", ".json", ".svg"})
-            CHECK(bytes_of(p.folder.name(std::string("merged") + kind)) ==
-                  bytes_of(p.folder.name(std::string("whole") + kind)));
+            CHECK(content_of(p.folder.name(std::string("merged") + kind)) ==
+                  content_of(p.folder.name(std::string("whole") + kind)));
     }
 }
 
@@ -78,10 +78,10 @@ TEST_CASE("each point of a sweep is in one of its parts, and merge prints their 
     std::size_t points = 0;
     for (const int k : {1, 2, 3}) {
         p.work_out(k, 3);
-        points += json::parse(bytes_of(p.part(k)))["points"].size();
+        points += json::parse(content_of(p.part(k)))["points"].size();
     }
     CHECK(points == 16);
-    const Outcome o = p.run({"merge", p.part(3), p.part(1), p.part(2)});
+    const ProgramRun o = p.run({"merge", p.part(3), p.part(1), p.part(2)});
     INFO(o.err);
     REQUIRE(o.code == 0);
     CHECK(o.out.find("16 points from 3 files") != o.out.npos);
@@ -90,14 +90,14 @@ TEST_CASE("each point of a sweep is in one of its parts, and merge prints their 
 TEST_CASE("merge accepts a complete sweep and changes no byte of its report") {
     const SharedFolder p;
     REQUIRE(p.run(together(grid, {"--json", p.folder.name("whole.json")})).code == 0);
-    const Outcome again = p.run({"merge", p.folder.name("whole.json"), "--json", "-"});
-    CHECK(again.out == bytes_of(p.folder.name("whole.json")));
+    const ProgramRun again = p.run({"merge", p.folder.name("whole.json"), "--json", "-"});
+    CHECK(again.out == content_of(p.folder.name("whole.json")));
 }
 
 TEST_CASE("a point of a sweep has its values as numbers, an entry for each parameter, and its hit rates") {
     const SharedFolder p;
     REQUIRE(p.run(together(grid, {"--json", p.folder.name("whole.json")})).code == 0);
-    const json whole = json::parse(bytes_of(p.folder.name("whole.json")));
+    const json whole = json::parse(content_of(p.folder.name("whole.json")));
     REQUIRE(whole["points"].size() == 16);
     CHECK(whole["shard"].is_null());
     const json& point = whole["points"][9];
@@ -168,18 +168,18 @@ TEST_CASE("an interrupted part continues where it stopped, and cannot be merged 
         return std::distance(std::filesystem::directory_iterator(p.folder.name("cache/sweep"), error),
                              std::filesystem::directory_iterator());
     };
-    const Outcome stopped = run_and_stop(part(1), p.cache, 2, [&] { return kept() >= 3; });
+    const ProgramRun stopped = run_and_stop(part(1), p.cache, 2, [&] { return kept() >= 3; });
     CHECK(stopped.code == 1);
     REQUIRE(p.run(part(2)).code == 0);
     check_refused(p.run({"merge", p.part(1), p.part(2)}), {"part-1.json", "interrupted"});
-    const Outcome again = p.run(part(1));
+    const ProgramRun again = p.run(part(1));
     REQUIRE(again.code == 0);
     CHECK(again.out.find(" 0 of them known before") == again.out.npos);
     REQUIRE(p.run({"merge", p.part(1), p.part(2), "--json", p.folder.name("merged.json")}).code == 0);
     REQUIRE(run_program(together(long_grid, {"--json", p.folder.name("whole.json")}),
                         {"RAYCLOCK_CACHE=" + p.folder.name("other")})
                 .code == 0);
-    CHECK(bytes_of(p.folder.name("merged.json")) == bytes_of(p.folder.name("whole.json")));
+    CHECK(content_of(p.folder.name("merged.json")) == content_of(p.folder.name("whole.json")));
 }
 
 namespace {
@@ -193,7 +193,7 @@ std::string grid_words() {
 /// Runs `script` with rayclock in its PATH, in the folder.
 void run_script(const SharedFolder& p, const std::string& script) {
     const std::string program = program_under_test();
-    const Outcome o =
+    const ProgramRun o =
         run_in_shell("cd '" + p.folder.name("") + "' && PATH='" + program.substr(0, program.rfind('/')) +
                          "':$PATH && export PATH '" + p.cache[0] + "' && " + script,
                      {});
@@ -203,11 +203,11 @@ void run_script(const SharedFolder& p, const std::string& script) {
 void check_merged(const SharedFolder& p, int parts) {
     Words merge{"merge", "--json", p.folder.name("merged.json")};
     for (int k = 1; k <= parts; ++k) merge.push_back(p.part(k));
-    const Outcome merged = p.run(merge);
+    const ProgramRun merged = p.run(merge);
     INFO(merged.err);
     REQUIRE(merged.code == 0);
     REQUIRE(p.run(together(grid, {"--json", p.folder.name("whole.json")})).code == 0);
-    CHECK(bytes_of(p.folder.name("merged.json")) == bytes_of(p.folder.name("whole.json")));
+    CHECK(content_of(p.folder.name("merged.json")) == content_of(p.folder.name("whole.json")));
 }
 const std::string sbatch_file = source_folder() + "/docs/examples/sweep.sbatch";
 

@@ -11,8 +11,8 @@ using namespace rayclock::test;
 using nlohmann::json;
 
 TEST_CASE("stress reports every test, lattice and family") {
-    const Outcome run = run_program({"stress", "--bits", "12,20", "--test", "exact,moller", "--family",
-                                     "edges,quad,t_junction", "--rays", "60000", "--json", "-"});
+    const ProgramRun run = run_program({"stress", "--bits", "12,20", "--test", "exact,moller", "--family",
+                                        "edges,quad,t_junction", "--rays", "60000", "--json", "-"});
     REQUIRE(run.code == 0);
     const json report = json::parse(run.out);
     REQUIRE(report["tests"].size() == 2 * 2 * 3);
@@ -40,21 +40,21 @@ TEST_CASE("stress reports every test, lattice and family") {
 }
 
 TEST_CASE("stress prints its verdict and exits with 1 if a demand is not met") {
-    const Outcome good = run_program(
+    const ProgramRun good = run_program(
         {"stress", "--bits", "16", "--test", "exact,inclusive", "--family", "corners", "--rays", "20000"});
     CHECK(good.code == 0);
     CHECK_THAT(good.out,
                Catch::Contains("every decision is the exact one") && Catch::Contains("a control: noticed"));
     // One ray does not find the seam, which says nothing about the test.
-    const Outcome bad = run_program({"stress", "--bits", "16", "--family", "t_junction", "--rays", "1"});
+    const ProgramRun bad = run_program({"stress", "--bits", "16", "--family", "t_junction", "--rays", "1"});
     CHECK(bad.code == 1);
     CHECK_THAT(bad.out, Catch::Contains("too few rays: the families that must leak do not show it yet") &&
                             !Catch::Contains("WRONG"));
 }
 
 TEST_CASE("stress writes a page with a picture of each family") {
-    const Folder folder;
-    const Outcome run = run_program(
+    const TestFolder folder;
+    const ProgramRun run = run_program(
         {"stress", "--bits", "16", "--family", "fan,ties", "--rays", "2000", "-o", folder.name("page.md")});
     REQUIRE(run.code == 0);
     const auto contents = folder.contents();
@@ -66,14 +66,14 @@ TEST_CASE("stress writes a page with a picture of each family") {
 }
 
 TEST_CASE("a stress run that is interrupted keeps what is done and goes on from there") {
-    const Folder folder;
+    const TestFolder folder;
     const std::vector<std::string> arguments{"stress",   "--bits",       "16",
                                              "--family", "edges,shells", "--rays",
                                              "3e6",      "--state",      folder.name("run.json")};
-    const Outcome stopped = run_and_interrupt(arguments, 1500);
+    const ProgramRun stopped = run_and_interrupt(arguments, 1500);
     std::vector<std::string> whole = arguments;
     whole.insert(whole.end(), {"--json", "-"});
-    const Outcome rest = run_program(whole);
+    const ProgramRun rest = run_program(whole);
     REQUIRE(rest.code == 0);
     const json report = json::parse(rest.out);
     CHECK(report["total"]["rays"] == 3000000);
@@ -82,7 +82,7 @@ TEST_CASE("a stress run that is interrupted keeps what is done and goes on from 
     else
         CHECK(stopped.code == 0);
     // The same without a stop.
-    const Outcome straight =
+    const ProgramRun straight =
         run_program({"stress", "--bits", "16", "--family", "edges,shells", "--rays", "3e6", "--json", "-"});
     CHECK(json::parse(straight.out)["tests"] == report["tests"]);
 }

@@ -32,10 +32,10 @@ std::size_t files_in(const std::string& folder) {
 }   // namespace
 
 TEST_CASE("a sweep gives all figures as table, CSV and JSON, and the same again from the cache") {
-    const Folder folder;
+    const TestFolder folder;
     const std::vector<std::string> cache{"RAYCLOCK_CACHE=" + folder.name("cache")};
     const std::string csv = folder.name("a.csv"), report = folder.name("a.json");
-    const Outcome first = run_program(sweep({"-o", csv, "--json", report}), cache);
+    const ProgramRun first = run_program(sweep({"-o", csv, "--json", report}), cache);
     INFO(first.err);
     REQUIRE(first.code == 0);
     CHECK(first.out.find("6 points from 3 traces, 0 of them known before") != std::string::npos);
@@ -43,7 +43,7 @@ TEST_CASE("a sweep gives all figures as table, CSV and JSON, and the same again 
           std::string::npos);
     CHECK(first.out.find("cost: chip_memory_bits, because multipliers were not counted") !=
           std::string::npos);
-    const std::string table = bytes_of(csv), whole = bytes_of(report);
+    const std::string table = content_of(csv), whole = content_of(report);
     CHECK(
         table.starts_with("coord_bits,clock,cycles,fps,cycles_per_ray,node_hit_rate,prim_hit_rate,bytes_per_"
                           "ray,bound,bound_reached,pixels_other_primitive,"
@@ -73,14 +73,14 @@ TEST_CASE("a sweep gives all figures as table, CSV and JSON, and the same again 
     CHECK(parsed["points"][0]["error"]["psnr_db"] == single["error"]["psnr_db"]);
     CHECK(parsed["points"][0]["memory_bytes"] == single["compile"]["bytes"]);
 
-    const Outcome second = run_program(sweep({"-o", csv, "--json", report}), cache);
+    const ProgramRun second = run_program(sweep({"-o", csv, "--json", report}), cache);
     CHECK(second.out.find("6 of them known before") != std::string::npos);
-    CHECK(bytes_of(csv) == table);
-    CHECK(bytes_of(report) == whole);
-    const Outcome fresh = run_program(sweep({"-o", csv, "--json", report, "--fresh"}), cache);
+    CHECK(content_of(csv) == table);
+    CHECK(content_of(report) == whole);
+    const ProgramRun fresh = run_program(sweep({"-o", csv, "--json", report, "--fresh"}), cache);
     CHECK(fresh.out.find("0 of them known before") != std::string::npos);
-    CHECK(bytes_of(csv) == table);
-    CHECK(bytes_of(report) == whole);
+    CHECK(content_of(csv) == table);
+    CHECK(content_of(report) == whole);
 }
 
 namespace {
@@ -119,7 +119,7 @@ TEST_CASE("a sweep's row is the frame that simulate draws with the same machine"
         {{"crowd", "--set", "levels=2", "--frames", "2", "--uploads", "double"}, "node_sets", {"8", "64"}},
         {{"gears:1", "--frames", "2", "--pan", "9", "--orbit", "30"}, "dram", {"sdr", "ddr3"}}};
     for (const Swept& s : sweeps) {
-        const Folder folder;
+        const TestFolder folder;
         const auto run = [&](const char* command, std::vector<std::string> more) {
             std::vector<std::string> words{command};
             words.insert(words.end(), s.words.begin(), s.words.end());
@@ -129,15 +129,15 @@ TEST_CASE("a sweep's row is the frame that simulate draws with the same machine"
         };
         std::string values;
         for (const std::string& value : s.values) values += (values.empty() ? "" : ",") + value;
-        const Outcome swept =
+        const ProgramRun swept =
             run("sweep", {"--axis", s.key + "=" + values, "--no-netlist", "--json", folder.name("a.json")});
         INFO(s.words[0] << ", " << s.key << ": " << swept.err);
         REQUIRE(swept.code == 0);
-        const json report = json::parse(bytes_of(folder.name("a.json")));
+        const json report = json::parse(content_of(folder.name("a.json")));
         for (std::size_t i = 0; i < s.values.size(); ++i) {
             CAPTURE(s.values[i]);
             const json& point = report["points"][i];
-            const Outcome single =
+            const ProgramRun single =
                 run("simulate", {"--set", s.key + "=" + s.values[i], "--no-judge", "--json", "-"});
             if (single.code == 2) {
                 CHECK(single.err.find(point["refused"].get<std::string>()) != std::string::npos);
@@ -151,16 +151,16 @@ TEST_CASE("a sweep's row is the frame that simulate draws with the same machine"
         CHECK(run("sweep", {"--axis", s.key + "=" + values, "--no-netlist"}).out.find("2 of them known") !=
               std::string::npos);
         REQUIRE(run_program({"merge", folder.name("a.json"), "--json", folder.name("b.json")}).code == 0);
-        CHECK(json::parse(bytes_of(folder.name("b.json")))["points"] == report["points"]);
+        CHECK(json::parse(content_of(folder.name("b.json")))["points"] == report["points"]);
     }
 }
 
 TEST_CASE("what is drawn decides what a sweep takes from its cache") {
-    const Folder folder;
+    const TestFolder folder;
     const auto known = [&](std::vector<std::string> more) {
         more.insert(more.begin(),
                     {"sweep", "crowd", "--size", "8x6", "--axis", "contexts=16", "--no-netlist"});
-        const Outcome o = run_program(more, {"RAYCLOCK_CACHE=" + folder.name("cache")});
+        const ProgramRun o = run_program(more, {"RAYCLOCK_CACHE=" + folder.name("cache")});
         INFO(o.err);
         REQUIRE(o.code == 0);
         return o.out.find(", 1 of them known") != std::string::npos;
@@ -182,7 +182,7 @@ TEST_CASE("what is drawn decides what a sweep takes from its cache") {
 }
 
 TEST_CASE("a sweep that was interrupted or killed goes on where it was") {
-    const Folder folder;
+    const TestFolder folder;
     const std::vector<std::string> cache{"RAYCLOCK_CACHE=" + folder.name("cache")};
     const std::vector<std::string> arguments{
         "sweep",        "rings:1",          "--size", "256x192",
@@ -190,7 +190,7 @@ TEST_CASE("a sweep that was interrupted or killed goes on where it was") {
         "--no-netlist", "--threads",        "1"};
     for (const int signal : {2, 9}) {
         const std::size_t before = files_in(folder.name("cache/sweep"));
-        const Outcome stopped = run_and_stop(
+        const ProgramRun stopped = run_and_stop(
             arguments, cache, signal, [&] { return files_in(folder.name("cache/sweep")) >= before + 4; });
         INFO("signal " << signal << ": " << stopped.out << stopped.err);
         if (signal == 2) {
@@ -204,20 +204,20 @@ TEST_CASE("a sweep that was interrupted or killed goes on where it was") {
     std::vector<std::string> with_json = arguments;
     const std::string report = folder.name("report.json"), other = folder.name("other.json");
     with_json.insert(with_json.end(), {"--json", report});
-    const Outcome done = run_program(with_json, cache);
+    const ProgramRun done = run_program(with_json, cache);
     REQUIRE(done.code == 0);
     CHECK(done.out.find(" 0 of them known before") == std::string::npos);
     with_json.back() = other;
     // Starts from nothing.
     CHECK(run_program(with_json, {"RAYCLOCK_CACHE=" + folder.name("other")}).code == 0);
-    CHECK(bytes_of(report) == bytes_of(other));
+    CHECK(content_of(report) == content_of(other));
 }
 
 TEST_CASE("values that do not go together are refused in their rows only") {
-    const Folder folder;
-    const Outcome outcome = run_program({"sweep", "tetra:2", "--size", "8x8", "--axis", "coord_bits=18,20",
-                                         "--axis", "dir_bits=20,24", "--no-netlist", "--json", "-"},
-                                        {"RAYCLOCK_CACHE=" + folder.name("cache")});
+    const TestFolder folder;
+    const ProgramRun outcome = run_program({"sweep", "tetra:2", "--size", "8x8", "--axis", "coord_bits=18,20",
+                                            "--axis", "dir_bits=20,24", "--no-netlist", "--json", "-"},
+                                           {"RAYCLOCK_CACHE=" + folder.name("cache")});
     REQUIRE(outcome.code == 0);
     const json report = json::parse(outcome.out);
     CHECK(report["points"][3]["refused"].get<std::string>().find("must not exceed 62") != std::string::npos);
@@ -225,7 +225,7 @@ TEST_CASE("values that do not go together are refused in their rows only") {
 }
 
 TEST_CASE("a sweep uses the requested cost, over caches of one size") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string csv = folder.name("a.csv");
     const std::vector<std::string> caches{"sweep", "tetra:2", "--size",
                                           "8x8",   "--axis",  "node_sets/prim_sets=16/64,32/32,32/64,64/16"};
@@ -233,16 +233,16 @@ TEST_CASE("a sweep uses the requested cost, over caches of one size") {
         more.insert(more.begin(), caches.begin(), caches.end());
         return run_program(more, {"RAYCLOCK_CACHE=" + folder.name("cache")});
     };
-    const Outcome outcome =
+    const ProgramRun outcome =
         with({"--cost", "bits", "--cache-bytes", "20480", "--json", folder.name("a.json"), "-o", csv});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     CHECK(outcome.out.find("front of pixels_other_primitive, chip_memory_bits and fps") != std::string::npos);
-    CHECK(bytes_of(csv).find(
+    CHECK(content_of(csv).find(
               ",pareto,knee,clock_is,pipeline_cache_bytes,chip_cache_bytes,chip_memory_bits,"
               "chip_luts,chip_flip_flops,chip_multipliers,chip_block_rams,rays,frames,film_cycles,"
               "film_fps,mrays_per_s,cycles_half_width\n") != std::string::npos);
-    const json report = json::parse(bytes_of(folder.name("a.json")));
+    const json report = json::parse(content_of(folder.name("a.json")));
     CHECK(report["front"]["cost"] == "chip_memory_bits");
     REQUIRE(report["points"].size() == 2);   // 16/64 and 64/16, with four ways and 64 bytes
     CHECK(report["points"][1]["node_sets/prim_sets"] == "64/16");
@@ -259,8 +259,8 @@ TEST_CASE("a sweep uses the requested cost, over caches of one size") {
 
 TEST_CASE("a sweep weighs the chip's cells", "[slow]") {
     if (run_program({"doctor", "--json", "-"}).out.find("\"yosys\": null") != std::string::npos) return;
-    const Outcome outcome = run_program({"sweep", "tetra:1", "--size", "8x8", "--config", "small", "--axis",
-                                         "node_sets=16,64", "--cost", "bram", "--json", "-"});
+    const ProgramRun outcome = run_program({"sweep", "tetra:1", "--size", "8x8", "--config", "small",
+                                            "--axis", "node_sets=16,64", "--cost", "bram", "--json", "-"});
     REQUIRE(outcome.code == 0);
     const json report = json::parse(outcome.out);
     CHECK(report["front"]["cost"] == "chip_block_rams");
@@ -273,10 +273,10 @@ TEST_CASE("a sweep weighs the chip's cells", "[slow]") {
 }
 
 TEST_CASE("a sweep writes the plot of its front completely or not at all") {
-    const Folder folder;
+    const TestFolder folder;
     const std::vector<std::string> cache{"RAYCLOCK_CACHE=" + folder.name("cache")};
     REQUIRE(run_program(sweep({"--plot", folder.name("plot")}), cache).code == 0);
-    const std::string svg = bytes_of(folder.name("plot.svg"));
+    const std::string svg = content_of(folder.name("plot.svg"));
     CHECK(svg.starts_with("<svg "));
     CHECK(svg.ends_with("</svg>\n"));
     CHECK(svg.find("coord_bits / clock") != std::string::npos);
@@ -284,8 +284,8 @@ TEST_CASE("a sweep writes the plot of its front completely or not at all") {
                                folder.name("three")}),
                         cache)
                 .code == 0);
-    CHECK(bytes_of(folder.name("two.svg")).find("bytes_per_ray against coord_bits") != std::string::npos);
-    CHECK(bytes_of(folder.name("three.svg")) == svg);
+    CHECK(content_of(folder.name("two.svg")).find("bytes_per_ray against coord_bits") != std::string::npos);
+    CHECK(content_of(folder.name("three.svg")) == svg);
     const auto before = folder.contents();
     check_refused(run_program(sweep({"--plot", folder.name("no/such/plot")}), cache), {"no/such/plot.svg"});
     check_refused(run_program(sweep({"--plot", "cycls,fps"}), cache), {"--plot", "'cycls'", "'cycles'"});
@@ -296,7 +296,7 @@ TEST_CASE("a sweep writes the plot of its front completely or not at all") {
 }
 
 TEST_CASE("a plot is a PDF if it is called so, and says what it needs for that") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string cache = "RAYCLOCK_CACHE=" + folder.name("cache"), file = folder.name("plot.pdf");
     check_refused(run_program(sweep({"--plot", file}), {cache, "PATH=" + folder.name("nothing")}),
                   {"plot.pdf", "rsvg-convert", "librsvg2-bin"});
@@ -305,22 +305,23 @@ TEST_CASE("a plot is a PDF if it is called so, and says what it needs for that")
         return;
     }
     REQUIRE(run_program(sweep({"--plot", file}), {cache}).code == 0);
-    const std::string first = bytes_of(file);
+    const std::string first = content_of(file);
     CHECK(first.starts_with("%PDF-"));
     CHECK(first.find("%%EOF") != std::string::npos);
     REQUIRE(run_program(sweep({"--plot", file}), {cache}).code == 0);
-    CHECK(bytes_of(file) == first);
+    CHECK(content_of(file) == first);
 }
 
 TEST_CASE("tradeoff writes its page with a plot for each scene") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string page = folder.name("page.md");
-    const Outcome outcome = run_program({"study", "tradeoff", "-o", page, "--scenes", "tetra:2,icosphere:2",
-                                         "--size", "24x18", "--no-netlist", "--min-psnr", "200"},
-                                        {"RAYCLOCK_CACHE=" + folder.name("cache")});
+    const ProgramRun outcome =
+        run_program({"study", "tradeoff", "-o", page, "--scenes", "tetra:2,icosphere:2", "--size", "24x18",
+                     "--no-netlist", "--min-psnr", "200"},
+                    {"RAYCLOCK_CACHE=" + folder.name("cache")});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
-    const std::string text = bytes_of(page);
+    const std::string text = content_of(page);
     for (const char* word :
          {"# Speed against error", "### coord_bits", "### dir_bits", "### box_bits", "### recip_bits",
           "### node_width", "### primitive_test",
@@ -341,9 +342,9 @@ TEST_CASE("tradeoff writes its page with a plot for each scene") {
 
 TEST_CASE("Yosys counts multipliers and flip-flops once, where there is RTL") {
     if (run_program({"doctor", "--json", "-"}).out.find("\"yosys\": null") != std::string::npos) return;
-    const Folder folder;
+    const TestFolder folder;
     const auto counts = [&] {
-        const Outcome outcome =
+        const ProgramRun outcome =
             run_program({"sweep", "tetra:1", "--size", "8x8", "--axis", "primitive_test=exact,moller",
                          "--config", "small", "--json", "-"});
         REQUIRE(outcome.code == 0);
@@ -357,7 +358,7 @@ TEST_CASE("Yosys counts multipliers and flip-flops once, where there is RTL") {
     CHECK(report["points"][1]["pareto"] == false);
     CHECK(report["front"]["cost"] == "multipliers");
     // Without Yosys there are no counts, and a note.
-    const Outcome without =
+    const ProgramRun without =
         run_program({"sweep", "tetra:1", "--size", "8x8", "--axis", "contexts=16"},
                     {"RAYCLOCK_CACHE=" + folder.name("cache"), "PATH=" + folder.name("nothing")});
     CHECK(without.code == 0);
@@ -365,7 +366,7 @@ TEST_CASE("Yosys counts multipliers and flip-flops once, where there is RTL") {
 }
 
 TEST_CASE("a sweep of samples has the estimates of simulate, their half-widths, and no pictures") {
-    const Folder folder;
+    const TestFolder folder;
     const std::vector<std::string> sweep{"sweep",          "gears:4",  "--size", "512x384", "--axis",
                                          "node_sets=4,64", "--sample", "10%",    "--seed",  "3",
                                          "--no-netlist",   "--clock",  "66"};
@@ -373,19 +374,19 @@ TEST_CASE("a sweep of samples has the estimates of simulate, their half-widths, 
         arguments.insert(arguments.end(), more.begin(), more.end());
         return arguments;
     };
-    const Outcome outcome =
+    const ProgramRun outcome =
         run_program(with(sweep, {"--json", folder.name("all.json"), "-o", folder.name("all.csv"), "--plot",
                                  "cycles,fps=" + folder.name("plot")}));
     INFO(outcome.err << outcome.out);
     REQUIRE(outcome.code == 0);
     CHECK(outcome.out.find("512x384, samples of 10 %") != std::string::npos);
-    const json report = json::parse(bytes_of(folder.name("all.json")));
+    const json report = json::parse(content_of(folder.name("all.json")));
     CHECK(report["sweep"]["sample"] == json({{"share", 0.1}, {"seed", 3}}));
     CHECK(report["front"]["speed"] == "fps");
     for (const json& point : report["points"]) {
         const std::string sets = "node_sets=" + std::to_string(point["node_sets"].get<int>());
         INFO(sets);
-        const Outcome single =
+        const ProgramRun single =
             run_program({"simulate", "gears:4", "--size", "512x384", "--set", sets, "--sample", "10%",
                          "--seed", "3", "--clock", "66", "--json", "-"});
         const json one = json::parse(single.out);
@@ -405,7 +406,7 @@ TEST_CASE("a sweep of samples has the estimates of simulate, their half-widths, 
     REQUIRE(run_program({"merge", folder.name("part1.json"), folder.name("part2.json"), "--json",
                          folder.name("merged.json")})
                 .code == 0);
-    CHECK(json::parse(bytes_of(folder.name("merged.json")))["points"] == report["points"]);
+    CHECK(json::parse(content_of(folder.name("merged.json")))["points"] == report["points"]);
 
     const auto refused = [&](const std::vector<std::string>& more, const std::vector<std::string>& words) {
         check_refused(run_program(with(sweep, more)), words);

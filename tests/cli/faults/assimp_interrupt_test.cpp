@@ -14,7 +14,7 @@ using namespace rayclock::test;
 TEST_CASE("Ctrl-C ends a converter that hangs, and removes what it left") {
     namespace fs = std::filesystem;
     using Clock = std::chrono::steady_clock;
-    const Folder folder;
+    const TestFolder folder;
     fs::create_directories(folder.name("bin"));
     fs::create_directories(folder.name("tmp"));
     const std::string file = folder.write("a.fbx", "Kaydara FBX Binary"), started = folder.name("started");
@@ -22,7 +22,7 @@ TEST_CASE("Ctrl-C ends a converter that hangs, and removes what it left") {
                                    started + "'\nexec sleep 100\n");
     fs::permissions(folder.name("bin/assimp"), fs::perms::owner_all);
     Clock::time_point stopped;
-    const Outcome outcome = run_and_stop(
+    const ProgramRun outcome = run_and_stop(
         {"simulate", file, "--size", "8x8"},
         {"PATH=" + folder.name("bin") + ":" + std::getenv("PATH"), "TMPDIR=" + folder.name("tmp")}, SIGINT,
         [&] {
@@ -32,7 +32,7 @@ TEST_CASE("Ctrl-C ends a converter that hangs, and removes what it left") {
     // A second on an idle machine.
     CHECK(Clock::now() - stopped < std::chrono::seconds(5));
     CHECK(outcome.code != 0);
-    const pid_t converter = static_cast<pid_t>(std::stol(bytes_of(started)));
+    const pid_t converter = static_cast<pid_t>(std::stol(content_of(started)));
     for (int i = 0; i < 500 && (kill(converter, 0) == 0 || !fs::is_empty(folder.name("tmp"))); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     CHECK(kill(converter, 0) != 0);

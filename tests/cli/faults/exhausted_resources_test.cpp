@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// One sentence and exit code 2, or the whole work: a limit need not be met.
-void check_limited(const Outcome& outcome, const char* word) {
+void check_limited(const ProgramRun& outcome, const char* word) {
     INFO("code " << outcome.code << ", standard error: " << outcome.err);
     if (outcome.code == 0) return;
     check_refused(outcome, {word});
@@ -27,7 +27,7 @@ void check_limited(const Outcome& outcome, const char* word) {
 
 /// From the signal to the end.
 struct Ended {
-    Outcome outcome;
+    ProgramRun outcome;
     double seconds = 0;
 };
 Ended signalled(const std::vector<std::string>& words, int signal, int after_ms,
@@ -44,7 +44,7 @@ Ended signalled(const std::vector<std::string>& words, int signal, int after_ms,
     return e;
 }
 
-std::string program(const Folder& folder, const char* name, const std::string& script) {
+std::string program(const TestFolder& folder, const char* name, const std::string& script) {
     const std::string file = folder.write(name, "#!/bin/sh\n" + script);
     fs::permissions(file, fs::perms::owner_all);
     return file;
@@ -53,12 +53,13 @@ std::string program(const Folder& folder, const char* name, const std::string& s
 }   // namespace
 
 TEST_CASE("without memory or threads there is a sentence, not a core file") {
-    const Folder folder;
+    const TestFolder folder;
     const std::vector<std::string> render{"render", "gears:4", "--size", "64x48", "-o", folder.name("x.png")};
     int sentences = 0;
     for (const char* kilobytes : {"150000", "300000", "614400"}) {
         INFO(kilobytes);
-        const Outcome outcome = run_in_shell(std::string("ulimit -v ") + kilobytes + "; exec \"$@\"", render);
+        const ProgramRun outcome =
+            run_in_shell(std::string("ulimit -v ") + kilobytes + "; exec \"$@\"", render);
         check_limited(outcome, "not enough");
         sentences += outcome.code == 2;
         CHECK((outcome.code == 0) == fs::exists(folder.name("x.png")));
@@ -72,10 +73,10 @@ TEST_CASE("without memory or threads there is a sentence, not a core file") {
              {std::vector<std::string>{"simulate", "tetra:1", "--size", "8x8", "--clock", "66"},
               {"simulate", "spheres:1", "--depth", "2", "--size", "16x12", "--clock", "66"}}) {
             INFO(threads << " " << words[0]);
-            const Outcome outcome = run_in_shell(std::string("set -- prlimit --nproc=") + threads +
-                                                     " \"$@\"; test $(id -u) = 0 && set -- setpriv "
-                                                     "--reuid=54321 --clear-groups \"$@\"; exec \"$@\"",
-                                                 words);
+            const ProgramRun outcome = run_in_shell(std::string("set -- prlimit --nproc=") + threads +
+                                                        " \"$@\"; test $(id -u) = 0 && set -- setpriv "
+                                                        "--reuid=54321 --clear-groups \"$@\"; exec \"$@\"",
+                                                    words);
             check_limited(outcome, "not enough");
             sentences += outcome.code == 2;
         }
@@ -83,23 +84,23 @@ TEST_CASE("without memory or threads there is a sentence, not a core file") {
 }
 
 TEST_CASE("a waveform that the disk for temporary files does not hold leaves the old one") {
-    const Folder folder;
+    const TestFolder folder;
     const std::vector<std::string> trace{"trace",    "cornell", "--size", "32x24",
                                          "--cycles", "0:20000", "-o",     folder.name("x.fst")};
     REQUIRE(run_program(trace).code == 0);
-    const std::string good = bytes_of(folder.name("x.fst"));
+    const std::string good = content_of(folder.name("x.fst"));
     REQUIRE(good.size() > 20'000);
     for (const char* blocks : {"1", "8", "16"}) {   // of 512 bytes
         INFO(blocks);
-        const Outcome outcome = run_in_shell(std::string("ulimit -f ") + blocks + "; exec \"$@\"", trace);
+        const ProgramRun outcome = run_in_shell(std::string("ulimit -f ") + blocks + "; exec \"$@\"", trace);
         check_refused(outcome, {"the waveform cannot be written", "File too large"});
-        CHECK(bytes_of(folder.name("x.fst")) == good);
+        CHECK(content_of(folder.name("x.fst")) == good);
     }
     CHECK(folder.contents().size() == 2);   // and its view
 }
 
 TEST_CASE("what does not listen to Ctrl-C or SIGTERM is ended within a second, and nothing stays") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string out = folder.name("out");
     for (const int signal : {SIGINT, SIGTERM})
         for (const std::vector<std::string>& words :
@@ -118,7 +119,7 @@ TEST_CASE("what does not listen to Ctrl-C or SIGTERM is ended within a second, a
 }
 
 TEST_CASE("a tool that hangs, floods, says nonsense or fails is a sentence") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string version = "[ \"$1\" = --version ] && echo '(Version 0.11.1)' && exit\n";
     const std::string hangs = program(folder, "hangs", "exec sleep 1000\n"),
                       floods = program(folder, "floods", version + "exec yes 'Info: overlap: COMB=1.0%'\n"),
@@ -149,7 +150,7 @@ TEST_CASE("a tool that hangs, floods, says nonsense or fails is a sentence") {
                   {"yosys has not written", "is the disk full?"});
     program(folder, "bin/yosys",
             says + "echo '{\"design\":{\"num_cells_by_type\":{\"$dff_x\":1}}}' > stat.json\n");
-    const Outcome sweep =
+    const ProgramRun sweep =
         run_program({"sweep", "tetra:1", "--size", "8x8", "--axis", "contexts=8"}, {path, cache});
     CHECK(sweep.code == 0);
     CHECK_THAT(sweep.out + sweep.err,
@@ -157,7 +158,7 @@ TEST_CASE("a tool that hangs, floods, says nonsense or fails is a sentence") {
 }
 
 TEST_CASE("a cache that others can write to is refused, since what is in it is run") {
-    const Folder folder;
+    const TestFolder folder;
     fs::create_directory(folder.name("cache"));
     REQUIRE(::chmod(folder.name("cache").c_str(), 0777) == 0);
     for (const std::vector<std::string>& words :
@@ -173,8 +174,8 @@ TEST_CASE("a cache that others can write to is refused, since what is in it is r
 
 TEST_CASE("temporary files of other users do not disturb a run") {
     // Only their number is known before: none of these may be needed.
-    const Folder folder;
-    const Outcome outcome = run_in_shell(
+    const TestFolder folder;
+    const ProgramRun outcome = run_in_shell(
         "export TMPDIR='" + folder.name("") +
             "'; for n in wave divergence lint; do mkdir -m 0 \"$TMPDIR\"/rayclock-$n.$$-0; done; "
             "exec \"$@\"",

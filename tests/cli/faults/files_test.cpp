@@ -25,7 +25,7 @@ struct BadFile {
 /// Requires that every command that reads the file refuses it and leaves the folder unchanged.
 void check_input(const std::vector<BadFile>& cases, const std::vector<std::vector<std::string>>& commands) {
     for (const BadFile& bad : cases) {
-        const Folder folder;
+        const TestFolder folder;
         const std::string file = folder.write(bad.name, bad.bytes);
         folder.write("picture.png", "here before");
         folder.write("report.json", "here before");
@@ -89,7 +89,7 @@ TEST_CASE("malformed scene files are refused") {
 }
 
 TEST_CASE("a directory, a device or a missing file in place of a scene is refused") {
-    const Folder folder;
+    const TestFolder folder;
     fs::create_directory(folder.name("folder.obj"));
     check_refused(run_program({"simulate", folder.name("folder.obj")}), {"folder.obj", "directory"});
     check_refused(run_program({"simulate", folder.name("")}), {"directory"});
@@ -98,7 +98,7 @@ TEST_CASE("a directory, a device or a missing file in place of a scene is refuse
 }
 
 TEST_CASE("a file without a visible surface has a background, and no machine holds it") {
-    const Folder folder;
+    const TestFolder folder;
     // One triangle whose opacity is below the cutoff.
     const std::string file = folder.write("mask.gltf", R"({"asset": {"version": "2.0"}, "scene": 0,
 "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
@@ -108,14 +108,14 @@ TEST_CASE("a file without a visible surface has a background, and no machine hol
 "bufferViews": [{"buffer": 0, "byteLength": 36}],
 "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
     for (const char* levels : {"levels=1", "levels=2"}) {
-        const Outcome refused = run_program({"simulate", file, "--size", "8x6", "--set", levels});
+        const ProgramRun refused = run_program({"simulate", file, "--size", "8x6", "--set", levels});
         INFO(refused.err);
         CHECK(refused.code == 2);
         CHECK(refused.err.find("opacity below the cutoff of the material (alphaMode MASK)") !=
               std::string::npos);
         CHECK(refused.err.find("mask.gltf: every surface is invisible") != std::string::npos);
     }
-    const Outcome drawn = run_program(
+    const ProgramRun drawn = run_program(
         {"render", file, "--engine", "reference", "--size", "8x6", "-o", folder.name("background.png")});
     INFO(drawn.err);
     CHECK(drawn.code == 0);
@@ -143,7 +143,7 @@ TEST_CASE("malformed configuration files are refused") {
          {"name.json", R"({"like": "small", "name": 7})", {"name", "7"}},
          {"null.json", R"({"like": "small", "contexts": null})", {"contexts"}}},
         commands);
-    const Folder folder;
+    const TestFolder folder;
     check_refused(run_program({"simulate", "tetra:1", "--config", folder.name("none.json")}), {"none.json"});
     check_refused(run_program({"simulate", "tetra:1", "--config", folder.name("")}), {"folder"});
     check_refused(run_program({"simulate", "tetra:1", "--config", "nosuch"}), {"'nosuch'"});
@@ -152,7 +152,7 @@ TEST_CASE("malformed configuration files are refused") {
 }
 
 TEST_CASE("an output that cannot be written is refused, and no file changes") {
-    const Folder folder;
+    const TestFolder folder;
     fs::create_directory(folder.name("taken"));
     fs::create_directory(folder.name("taken.png"));
     folder.write("file", "not a folder");
@@ -192,7 +192,7 @@ TEST_CASE("an output that cannot be written is refused, and no file changes") {
 }
 
 TEST_CASE("a report that cannot be written at the end gives an error") {
-    const Outcome full = run_program({"simulate", "tetra:1", "--size", "8x8", "--json", "/dev/full"});
+    const ProgramRun full = run_program({"simulate", "tetra:1", "--size", "8x8", "--json", "/dev/full"});
     CHECK(full.code == 2);
     CHECK(full.err == "rayclock: /dev/full: cannot be written: No space left on device\n");
 }
@@ -202,48 +202,48 @@ TEST_CASE("a cache of RTL that cannot be written is refused") {
 }
 
 TEST_CASE("simulate writes the pictures that render draws, without drawing them again") {
-    const Folder folder;
+    const TestFolder folder;
     const std::vector<std::string> scene{"gears:1", "--size", "24x18"};
     const auto run = [&](std::vector<std::string> arguments) {
         arguments.insert(arguments.begin() + 1, scene.begin(), scene.end());
         return run_program(arguments);
     };
     const std::string out = folder.name("out");
-    const Outcome outcome = run({"simulate", "-o", out});
+    const ProgramRun outcome = run({"simulate", "-o", out});
     CHECK(outcome.code == 0);
     CHECK(outcome.out.find("pictures: " + out + "/picture.png " + out + "/reference.png " + out +
                            "/difference.png\n") != std::string::npos);
     for (const auto& [engine, name] :
          {std::pair("model", "picture.png"), std::pair("reference", "reference.png")}) {
         CHECK(run({"render", "--engine", engine, "-o", folder.name(name)}).code == 0);
-        CHECK(bytes_of(out + "/" + name) == bytes_of(folder.name(name)));
+        CHECK(content_of(out + "/" + name) == content_of(folder.name(name)));
     }
     CHECK(fs::exists(out + "/difference.png"));
     CHECK(run({"simulate", "--no-reference", "-o", folder.name("alone")}).code == 0);
-    CHECK(bytes_of(folder.name("alone/picture.png")) == bytes_of(out + "/picture.png"));
+    CHECK(content_of(folder.name("alone/picture.png")) == content_of(out + "/picture.png"));
     CHECK_FALSE(fs::exists(folder.name("alone/reference.png")));
     check_refused(run({"simulate", "-o", folder.name("picture.png")}),
                   {"picture.png", "is a file, not a folder"});
 }
 
 TEST_CASE("a setting without effect is noted") {
-    const Outcome outcome = run_program({"simulate", "gears:1", "--size", "8x8", "--no-reference", "--set",
-                                         "mem_latency=5", "--set", "contexts=8"});
+    const ProgramRun outcome = run_program({"simulate", "gears:1", "--size", "8x8", "--no-reference", "--set",
+                                            "mem_latency=5", "--set", "contexts=8"});
     CHECK(outcome.code == 0);
     CHECK(outcome.err == "rayclock: note: mem_latency has no effect with dram=ddr3\n");
 }
 
 TEST_CASE("a mesh without a mirror: --depth prints a note, and --material adds a mirror") {
-    const Folder folder;
+    const TestFolder folder;
     folder.write("two.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\n");
     const auto reflections = [&](const std::vector<std::string>& more, const std::string& told) {
         std::vector<std::string> words{"simulate", folder.name("two.obj"), "--size", "24x18", "--depth", "1",
                                        "--json",   folder.name("out.json")};
         words.insert(words.end(), more.begin(), more.end());
-        const Outcome outcome = run_program(words);
+        const ProgramRun outcome = run_program(words);
         CHECK(outcome.code == 0);
         CHECK(outcome.err == told);
-        return nlohmann::json::parse(bytes_of(folder.name("out.json")))["rays"]["reflection"].get<int>();
+        return nlohmann::json::parse(content_of(folder.name("out.json")))["rays"]["reflection"].get<int>();
     };
     CHECK(reflections(
               {},
@@ -255,15 +255,15 @@ TEST_CASE("a mesh without a mirror: --depth prints a note, and --material adds a
 }
 
 TEST_CASE("a memory from a file equals the named memory, and its report can be run again") {
-    const Folder folder;
+    const TestFolder folder;
     const auto simulate = [&](const std::vector<std::string>& more, const std::string& json) {
         std::vector<std::string> words{"simulate",       "gears:1",    "--size", "16x12",
                                        "--no-reference", "--no-judge", "--json", folder.name(json)};
         words.insert(words.end(), more.begin(), more.end());
-        const Outcome outcome = run_program(words);
+        const ProgramRun outcome = run_program(words);
         INFO(outcome.err);
         REQUIRE(outcome.code == 0);
-        return nlohmann::json::parse(bytes_of(folder.name(json)));
+        return nlohmann::json::parse(content_of(folder.name(json)));
     };
     folder.write("same.json", R"({"like": "sdr"})");
     folder.write("slow.json", R"({"like": "sdr", "name": "slow", "cl_clocks": 30})");
@@ -305,18 +305,18 @@ TEST_CASE("a memory from a file equals the named memory, and its report can be r
                                "dram=" + folder.name("lazy.json")}),
                   {"scan_out=1", "73.7 MB/s", "40.0"});
 
-    const Outcome sweep = run_program({"sweep", "gears:1", "--size", "16x12", "--no-netlist", "--axis",
-                                       "dram=sdr," + folder.name("slow.json"), "--axis", "dram_channels=1,2",
-                                       "-o", folder.name("sweep.csv")});
+    const ProgramRun sweep = run_program({"sweep", "gears:1", "--size", "16x12", "--no-netlist", "--axis",
+                                          "dram=sdr," + folder.name("slow.json"), "--axis",
+                                          "dram_channels=1,2", "-o", folder.name("sweep.csv")});
     INFO(sweep.err);
     REQUIRE(sweep.code == 0);
-    const std::string csv = bytes_of(folder.name("sweep.csv"));
+    const std::string csv = content_of(folder.name("sweep.csv"));
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 5);
     CHECK(csv.find("slow.json") != csv.npos);
 }
 
 TEST_CASE("no output replaces an input, whatever the command and the option") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string mesh = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
     const std::string x = folder.write("x.obj", mesh), m = folder.write("m.mtl", "newmtl a\nKd 1 0 0\n"),
                       config = folder.write("c.json", R"({"like": "small"})"),
@@ -357,15 +357,15 @@ TEST_CASE("no output replaces an input, whatever the command and the option") {
 }
 
 TEST_CASE("a sweep over memories from files is merged") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string slow = folder.write("slow.json", R"({"like": "sdr", "cl_clocks": 30})"),
                       swept = folder.name("s.json"), merged = folder.name("m.json");
     REQUIRE(run_program({"sweep", "tetra:1", "--size", "8x8", "--no-netlist", "--axis", "dram=sdr," + slow,
                          "--axis", "node_sets/prim_sets=16/32,32/16", "--json", swept})
                 .code == 0);
-    const auto report = nlohmann::json::parse(bytes_of(swept));
+    const auto report = nlohmann::json::parse(content_of(swept));
     CHECK(report["points"][2]["values"]["dram"] == slow);
     CHECK(report["points"][2]["values"]["prim_sets"] == 32);
     REQUIRE(run_program({"merge", swept, "--json", merged}).code == 0);
-    CHECK(nlohmann::json::parse(bytes_of(merged))["points"] == report["points"]);
+    CHECK(nlohmann::json::parse(content_of(merged))["points"] == report["points"]);
 }

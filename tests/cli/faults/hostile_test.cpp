@@ -19,7 +19,7 @@ std::string nested(int depth) {
 }
 
 /// Requires output that is safe for a terminal.
-void check_printable(const Outcome& outcome) {
+void check_printable(const ProgramRun& outcome) {
     CHECK(outcome.err.size() < 1200);
     for (const char c : outcome.err + outcome.out)
         CHECK(((static_cast<unsigned char>(c) >= 0x20 && c != 0x7f) || c == '\n'));
@@ -36,7 +36,7 @@ std::vector<std::string> with_state(const std::string& file) {
 }   // namespace
 
 TEST_CASE("a configuration that is not a file, is nested too deeply, or has a key twice is refused") {
-    const Folder folder;
+    const TestFolder folder;
     fs::create_directory(folder.name("folder.json"));
     REQUIRE(::mkfifo(folder.name("pipe.json").c_str(), 0600) == 0);
     const std::vector<std::pair<std::string, std::string>> cases{
@@ -57,12 +57,12 @@ TEST_CASE("a configuration that is not a file, is nested too deeply, or has a ke
         for (const std::vector<std::string>& arguments :
              {std::vector<std::string>{"config", file}, {"simulate", "tetra:1", "--config", file}}) {
             INFO(file);
-            const Outcome outcome = run_program(arguments);
+            const ProgramRun outcome = run_program(arguments);
             check_refused(outcome, {word});
             check_printable(outcome);
         }
     // Tables and terminals show the name.
-    const Outcome named =
+    const ProgramRun named =
         run_program({"config", folder.write("good.json", "{\"like\":\"small\",\"name\":\"\\u001b[2J" +
                                                              std::string(1000, 'y') + "\"}")});
     CHECK(named.code == 0);
@@ -71,18 +71,18 @@ TEST_CASE("a configuration that is not a file, is nested too deeply, or has a ke
 }
 
 TEST_CASE("a state of a stress run with wrong numbers is refused") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string file = folder.name("state.json");
     REQUIRE(run_program(with_state(file)).code == 0);
-    const json good = json::parse(bytes_of(file));
+    const json good = json::parse(content_of(file));
     REQUIRE(run_program(with_state(file)).code == 0);   // nothing is left to do
     int number = 0;
     const auto refused = [&](const json& changed, const std::string& word) {
         const std::string bad = folder.write("bad" + std::to_string(number++) + ".json", changed.dump());
-        const std::string before = bytes_of(bad);
+        const std::string before = content_of(bad);
         INFO(before.substr(0, 300));
         check_refused(run_program(with_state(bad)), {bad, word});
-        CHECK(bytes_of(bad) == before);
+        CHECK(content_of(bad) == before);
     };
     for (const json& wrong : {json(-1), json(1e8), json(100'000'000), json(1e300), json(0.5),
                               json(std::uint64_t(1) << 60), json("2"), json(nullptr), json(json::array())}) {
@@ -135,17 +135,17 @@ TEST_CASE("a state of a stress run with wrong numbers is refused") {
 }
 
 TEST_CASE("an entry of the sweep's cache that is not a file, or is nested, is computed again") {
-    const Folder folder;
+    const TestFolder folder;
     const std::vector<std::string> cache{"RAYCLOCK_CACHE=" + folder.name("cache")};
     const std::vector<std::string> sweep{"sweep",        "tetra:2",      "--size", "16x12", "--axis",
                                          "contexts=2,4", "--no-netlist", "--json", "-"};
-    const Outcome first = run_program(sweep, cache);
+    const ProgramRun first = run_program(sweep, cache);
     REQUIRE(first.code == 0);
     std::vector<fs::path> entries;
     for (const auto& entry : fs::recursive_directory_iterator(folder.name("cache")))
         if (entry.path().extension() == ".json") entries.push_back(entry.path());
     REQUIRE(entries.size() >= 3);
-    const auto points = [](const Outcome& outcome) { return json::parse(outcome.out)["points"].dump(); };
+    const auto points = [](const ProgramRun& outcome) { return json::parse(outcome.out)["points"].dump(); };
     for (int kind = 0; kind < 3; ++kind) {
         for (const fs::path& entry : entries) {
             fs::remove_all(entry);
@@ -153,7 +153,7 @@ TEST_CASE("an entry of the sweep's cache that is not a file, or is nested, is co
             if (kind == 1) REQUIRE(::mkfifo(entry.c_str(), 0600) == 0);
             if (kind == 2) fs::create_directory(entry);
         }
-        const Outcome again = run_program(sweep, cache);
+        const ProgramRun again = run_program(sweep, cache);
         INFO(kind << again.err);
         CHECK(again.code == 0);
         CHECK(points(again) == points(first));
@@ -161,10 +161,10 @@ TEST_CASE("an entry of the sweep's cache that is not a file, or is nested, is co
 }
 
 TEST_CASE("warnings go to standard error, and the frame is drawn") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string file = folder.write(
         "\x1b[2Jodd.obj", "mtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\nf 1 1 2\n");
-    const Outcome outcome = run_program({"simulate", file, "--size", "8x8", "--no-reference"});
+    const ProgramRun outcome = run_program({"simulate", file, "--size", "8x8", "--no-reference"});
     CHECK(outcome.code == 0);
     check_printable(outcome);
     CHECK(outcome.err.find("rayclock: warning: ") == 0);
@@ -197,7 +197,7 @@ json changed(json value, const char* place, const json& to) {
 
 /// Requires a refusal with these words, soon, and without much memory.
 void check_cheap(const std::vector<std::string>& words, const std::vector<std::string>& wanted) {
-    const Outcome outcome = run_program(words);
+    const ProgramRun outcome = run_program(words);
     INFO(words[0] << " " << words[1] << ": " << outcome.seconds << " s, " << outcome.peak_mb << " MB");
     check_refused(outcome, wanted);
     check_printable(outcome);
@@ -208,7 +208,7 @@ void check_cheap(const std::vector<std::string>& words, const std::vector<std::s
 }   // namespace
 
 TEST_CASE("compare refuses a damaged report and names the fault") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string good = folder.write("good.json", report_of_simulate().dump());
     json deep = report_of_simulate();
     deep[std::string(400'000, 'k')] = std::vector<int>(200'000);
@@ -240,7 +240,7 @@ TEST_CASE("compare refuses a damaged report and names the fault") {
 }
 
 TEST_CASE("merge refuses a damaged report and names the fault") {
-    const Folder folder;
+    const TestFolder folder;
     const json part = {{"scene", {{"name", "x"}}},
                        {"config", json::object()},
                        {"frame", {{"width", 8}, {"height", 8}}},
@@ -281,7 +281,7 @@ TEST_CASE("merge refuses a damaged report and names the fault") {
 }
 
 TEST_CASE("small files that declare many keys or triangles are refused before these are made") {
-    const Folder folder;
+    const TestFolder folder;
     json turns = json::array();
     for (int i = 0; i < 15'000; ++i)
         turns.push_back({{"time", i}, {"rotate", {{"axis", {0, 1, 0}}, {"degrees", i % 2 * 360'000}}}});
@@ -315,7 +315,7 @@ TEST_CASE("small files that declare many keys or triangles are refused before th
 }
 
 TEST_CASE("any input under 1 MB ends with exit code 0, 1 or 2, within 2 GB and 10 s") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string v3 = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     std::string runs = v3, face = v3 + "f", faces = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.1 0\n", dust;
     for (int i = 0; runs.size() < 1'000'000; ++i) (runs += "usemtl ") += std::to_string(i) + "\nf 1 2 3\n";
@@ -358,8 +358,8 @@ TEST_CASE("any input under 1 MB ends with exit code 0, 1 or 2, within 2 GB and 1
         {"text.glb", "glTF" + std::string(900'000, '\xff')}};
     for (const auto& [name, bytes] : files) {
         REQUIRE(bytes.size() <= 1'000'000 + 20);
-        const Outcome outcome = run_program({"render", folder.write(name, bytes), "--engine", "reference",
-                                             "--size", "8x8", "-o", folder.name("x.png")});
+        const ProgramRun outcome = run_program({"render", folder.write(name, bytes), "--engine", "reference",
+                                                "--size", "8x8", "-o", folder.name("x.png")});
         INFO(name << ": " << outcome.seconds << " s, " << outcome.peak_mb
                   << " MB: " << outcome.err.substr(0, 300));
         CHECK((outcome.code == 0 || outcome.code == 2));

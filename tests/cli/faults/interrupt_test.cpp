@@ -22,13 +22,13 @@ std::size_t processes_of(const std::string& folder) {
         std::error_code error;
         const std::string cwd = fs::read_symlink(process.path() / "cwd", error).string();
         found += cwd.starts_with(folder) ||
-                 bytes_of((process.path() / "cmdline").string()).find(folder) != std::string::npos;
+                 content_of((process.path() / "cmdline").string()).find(folder) != std::string::npos;
     }
     return found;
 }
 
 struct Stopped {
-    Outcome outcome;
+    ProgramRun outcome;
     double seconds = 0;   ///< from Ctrl-C to the end
 };
 Stopped stop(const std::vector<std::string>& arguments, const std::string& cache) {
@@ -78,7 +78,7 @@ TEST_CASE("Ctrl-C ends every long command within a second, and nothing half-writ
     for (const std::vector<std::string>& command : commands) {
         Stopped stopped;
         for (int attempt = 0; attempt < 3; ++attempt) {   // retries, because other jobs may delay it
-            const Folder folder;
+            const TestFolder folder;
             std::vector<std::string> words = command;
             if (words.back().starts_with("out")) words.back() = folder.name(words.back());
             const bool is_page = words[1] == "structures" || words[1] == "gigahertz" || words[1] == "figures";

@@ -25,7 +25,7 @@ const std::vector<std::vector<std::string>> printing{
     {"stress", "--bits", "16", "--family", "edges", "--rays", "100"},
     {"study", "counts", "balls:1", "--size", "8x8", "--json", "-"}};
 
-void check_lost(const Outcome& outcome, const std::string& reason) {
+void check_lost(const ProgramRun& outcome, const std::string& reason) {
     INFO(outcome.err);
     CHECK(outcome.code == 2);
     CHECK(outcome.out.empty());
@@ -40,23 +40,23 @@ TEST_CASE("standard output that is full or closed is an error of every command t
         check_lost(run_in_shell("exec \"$@\" >/dev/full", arguments), "No space left on device");
         check_lost(run_in_shell("exec \"$@\" >&-", arguments), "Bad file descriptor");
         // The pipe's reader ends before the program begins.
-        const Folder folder;
-        const Outcome pipe =
+        const TestFolder folder;
+        const ProgramRun pipe =
             run_in_shell("{ sleep 0.3; \"$@\"; echo $? >" + folder.name("code") + "; } | true", arguments);
-        CHECK(bytes_of(folder.name("code")) == "2\n");
+        CHECK(content_of(folder.name("code")) == "2\n");
         CHECK(pipe.err == "rayclock: standard output: cannot be written: Broken pipe\n");
     }
 }
 
 TEST_CASE("a closed standard stream is not mistaken for a file") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string picture = folder.name("a.png");
-    const Outcome outcome =
+    const ProgramRun outcome =
         run_in_shell("exec \"$@\" <&- >&- 2>&-",
                      {"render", "tetra:1", "--size", "8x8", "--engine", "reference", "-o", picture});
     CHECK(outcome.code == 2);
-    CHECK(bytes_of(picture).starts_with("\x89PNG"));
-    CHECK(bytes_of(picture).find("tetra") == std::string::npos);
+    CHECK(content_of(picture).starts_with("\x89PNG"));
+    CHECK(content_of(picture).find("tetra") == std::string::npos);
     CHECK(folder.contents().size() == 1);
 }
 
@@ -76,14 +76,14 @@ TEST_CASE("a disk that fills up while a file is written costs no old file") {
         {"page.md", {"stress", "--bits", "16", "--family", "edges", "--rays", "100", "-o"}},
         {"state.json", {"stress", "--bits", "12:20:1", "--rays", "100", "--state"}}};
     for (auto [name, arguments] : writers) {
-        const Folder folder, elsewhere;
+        const TestFolder folder, elsewhere;
         arguments.push_back(folder.write(name, name == "state.json" ? "" : "precious"));
         if (name == "state.json") fs::remove(arguments.back());
         const auto before = folder.contents();
         INFO(name);
         code(arguments, elsewhere.name("code"));
-        CHECK(bytes_of(elsewhere.name("code")) == "2\n");
-        const Outcome outcome = full(arguments);
+        CHECK(content_of(elsewhere.name("code")) == "2\n");
+        const ProgramRun outcome = full(arguments);
         INFO(outcome.err);
         CHECK(outcome.err.find("cannot be written: File too large") != std::string::npos);
         CHECK(outcome.err.find('\n') == outcome.err.size() - 1);
@@ -94,7 +94,7 @@ TEST_CASE("a disk that fills up while a file is written costs no old file") {
 }
 
 TEST_CASE("an output may be a pipe or a device, but not a symbolic link") {
-    const Folder folder;
+    const TestFolder folder;
     folder.write("real.json", "precious");
     fs::create_symlink("real.json", folder.name("link.json"));
     fs::create_symlink("real.json", folder.name("link.png"));
@@ -106,12 +106,12 @@ TEST_CASE("an output may be a pipe or a device, but not a symbolic link") {
     check_refused(run_program({"stress", "--rays", "10", "--state", folder.name("link.json")}),
                   {"link.json", "symbolic link"});
     CHECK(folder.contents() == before);
-    const Outcome nobody = run_in_shell("mkfifo " + folder.name("pipe") + "; timeout 20 \"$@\"",
-                                        {"scenes", "--json", folder.name("pipe")});
+    const ProgramRun nobody = run_in_shell("mkfifo " + folder.name("pipe") + "; timeout 20 \"$@\"",
+                                           {"scenes", "--json", folder.name("pipe")});
     CHECK(nobody.code == 2);
     CHECK(nobody.err.find("is a pipe that nobody reads") != std::string::npos);
     // The shell holds the other end, so the pipe has a reader from the start.
-    const Outcome read =
+    const ProgramRun read =
         run_in_shell("exec 3<>" + folder.name("pipe") + "; \"$@\" >/dev/null && head -n 5 <&3",
                      {"scenes", "--json", folder.name("pipe")});
     CHECK(read.code == 0);

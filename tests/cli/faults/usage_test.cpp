@@ -67,7 +67,7 @@ TEST_CASE("commands that make pages are words of study, and their old names say 
 }
 
 TEST_CASE("the help fits a screen, in groups") {
-    const Outcome help = run_program({"--help"});
+    const ProgramRun help = run_program({"--help"});
     CHECK(help.code == 0);
     const std::vector<std::pair<std::string, std::vector<std::string>>> groups{
         {"Run", {"scenes", "config", "render", "simulate", "rays"}},
@@ -110,7 +110,7 @@ TEST_CASE("docs/guide/report.md lists exactly the commands that take --json") {
     for (const std::string& page : words_of({"study", "--help"})) add({"study", page}, "study " + page);
     CHECK(expected.size() > 20);
 
-    const std::string page = bytes_of(source_folder() + "/docs/guide/report.md");
+    const std::string page = content_of(source_folder() + "/docs/guide/report.md");
     const std::size_t begin = page.find("\nThese commands take `--json FILE`: ");
     REQUIRE(begin != std::string::npos);
     const std::size_t first = page.find(": ", begin);
@@ -285,7 +285,7 @@ TEST_CASE("a stress run with illegal options is refused") {
 }
 
 TEST_CASE("a configuration's name takes precedence over a folder of the same name", "[cli]") {
-    const Folder folder;
+    const TestFolder folder;
     std::filesystem::create_directory(folder.name("small"));
     const std::string there = "cd '" + folder.name("") + "' && \"$@\"";
     const std::vector<std::string> simulate{"simulate", "tetra:1", "--size",     "8x6",
@@ -294,7 +294,7 @@ TEST_CASE("a configuration's name takes precedence over a folder of the same nam
     std::filesystem::create_directory(folder.name("mine"));
     std::vector<std::string> other = simulate;
     other[5] = "mine";
-    const Outcome o = run_in_shell(there, other);
+    const ProgramRun o = run_in_shell(there, other);
     REQUIRE(o.code == 2);
     REQUIRE(o.err.find("mine: is a folder, not a configuration") != std::string::npos);
 }
@@ -303,7 +303,7 @@ TEST_CASE("a sample has the keys of a simulation, says what is exact, and can be
     const auto report = [](std::vector<std::string> words) {
         words.insert(words.begin(),
                      {"simulate", "gears:2", "--size", "333x257", "--clock", "66", "--json", "-"});
-        const Outcome outcome = run_program(words);
+        const ProgramRun outcome = run_program(words);
         INFO(outcome.err);
         REQUIRE(outcome.code == 0);
         return nlohmann::json::parse(outcome.out);

@@ -20,19 +20,19 @@ const json& part_of(const json& variant, const std::string& name) {
 }   // namespace
 
 TEST_CASE("area counts the units of every machine, each different one once, and finds them again") {
-    const Folder folder;
+    const TestFolder folder;
     const std::vector<std::string> cache{"RAYCLOCK_CACHE=" + folder.name("cache")};
     const auto area = [&](const char* report) {
         return run_program(
             {"study", "area", "--config", "small", "--unit", "sched,dispatch", "--json", folder.name(report)},
             cache);
     };
-    const Outcome first = area("a.json");
+    const ProgramRun first = area("a.json");
     INFO(first.err);
     REQUIRE(first.code == 0);
     CHECK(first.err.empty());
     CHECK(first.out.find(" of 10 machines, 0 of them known before") != std::string::npos);
-    const json report = json::parse(bytes_of(folder.name("a.json")));
+    const json report = json::parse(content_of(folder.name("a.json")));
     REQUIRE(report["variants"].size() == 10);
     CHECK(report["variants"][0]["name"] == "hits");
     CHECK(report["variants"][9]["name"] == "all units");
@@ -56,16 +56,16 @@ TEST_CASE("area counts the units of every machine, each different one once, and 
         if (variant["name"] == "stream") continue;   // its dispatch counts groups of rays
         CHECK(part_of(variant, "dispatch") == part_of(report["variants"][0], "dispatch"));
     }
-    const Outcome second = area("b.json");
+    const ProgramRun second = area("b.json");
     REQUIRE(second.code == 0);
-    CHECK(bytes_of(folder.name("b.json")) == bytes_of(folder.name("a.json")));
+    CHECK(content_of(folder.name("b.json")) == content_of(folder.name("a.json")));
     const std::size_t of = second.out.find(" different units");
     REQUIRE(of != std::string::npos);
     CHECK(second.out.find(second.out.substr(0, of) + " of them known before") != std::string::npos);
 }
 
 TEST_CASE("area refuses what makes no sense") {
-    const Folder folder;
+    const TestFolder folder;
     check_refused(run_program({"study", "area", "--unit", "shad"}),
                   {"'shad'", "did you mean 'shade'", "node_cache"});
     check_refused(run_program({"study", "area", "--unit", ""}), {"--unit"});

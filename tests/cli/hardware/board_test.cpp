@@ -64,7 +64,7 @@ void add_keys(const nlohmann::json& json, std::set<std::string>& names) {
 
 /// The last names of the keys that docs/guide/report.md explains for an action.
 std::set<std::string> documented_keys(const std::string& action) {
-    std::istringstream page(bytes_of(source_folder() + "/docs/guide/report.md"));
+    std::istringstream page(content_of(source_folder() + "/docs/guide/report.md"));
     std::set<std::string> names;
     std::string line, now;
     bool is_here = false;
@@ -101,12 +101,12 @@ TEST_CASE("clocks that the board's memory does not allow are refused") {
 }
 
 TEST_CASE("a sample reports the reads of the board's screen, and no underruns") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string out = folder.name("out.json");
     CHECK(run_program({"simulate", "gears:1", "--config", "ulx3s-board", "--clock", "75", "--size", "320x240",
                        "--sample", "10%", "--json", out})
               .code == 0);
-    const auto report = nlohmann::json::parse(bytes_of(out));
+    const auto report = nlohmann::json::parse(content_of(out));
     for (const auto& memory : {report["memory"], report["clocks"][0]["memory"]}) {
         const auto& screen = memory["dram"]["scan_out"];
         CHECK(screen["reads"] > 0);
@@ -127,7 +127,7 @@ TEST_CASE("parts of the board cannot be left out, and its screen has a size") {
 }
 
 TEST_CASE("boards, ports and memories that are not there are refused before the work") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string file = folder.write("file", "text");
     check_refused(run_program(tiny("board", {"--sdram", "is42s"})),
                   {"no SDRAM is called 'is42s'; there are ", "is42s16160g"});
@@ -139,7 +139,7 @@ TEST_CASE("boards, ports and memories that are not there are refused before the 
 }
 
 TEST_CASE("actions of the board refuse what has no meaning for them") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string there = folder.write("there", "text"), none = folder.name("none");
     check_refused(run_program({"board"}), {"SCENE is missing"});
     check_refused(run_program({"board", "load"}), {"load: SCENE is missing"});
@@ -187,7 +187,7 @@ TEST_CASE("Ctrl-C ends the wait for a board, and a simulated board", "[slow]") {
         Clock::time_point at;
         // The first run builds the board's RTL; the wait on the port lasts two seconds.
         const int wait = more.size() == 2 ? 1000 : 5000;
-        const Outcome outcome = run_and_stop(tiny("board", more), {}, 2, [&] {
+        const ProgramRun outcome = run_and_stop(tiny("board", more), {}, 2, [&] {
             std::this_thread::sleep_for(std::chrono::milliseconds(wait));
             at = Clock::now();
             return true;
@@ -200,7 +200,7 @@ TEST_CASE("Ctrl-C ends the wait for a board, and a simulated board", "[slow]") {
 }
 
 TEST_CASE("a board that serve simulates is loaded, drawn, read and checked through its port", "[slow]") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string port = folder.name("board.tty"), screen = folder.name("screen.png"),
                       served = folder.name("served.json"), picture = folder.name("picture.png"),
                       lines = folder.name("lines"), out = folder.name("out");
@@ -209,7 +209,7 @@ TEST_CASE("a board that serve simulates is loaded, drawn, read and checked throu
     const auto report = [&](const std::vector<std::string>& words) {
         std::vector<std::string> all = words;
         all.insert(all.end(), {"--json", "-"});
-        const Outcome outcome = run_program(all);
+        const ProgramRun outcome = run_program(all);
         INFO(words[1] << ": " << outcome.err);
         CHECK(outcome.code == 0);
         return nlohmann::json::parse(outcome.out, nullptr, false);
@@ -228,7 +228,7 @@ TEST_CASE("a board that serve simulates is loaded, drawn, read and checked throu
             words.insert(words.end(), {"-o", out});   // check, which is left out
         return words;
     };
-    const Outcome outcome =
+    const ProgramRun outcome =
         run_and_stop({"board", "serve", "--port", port, "-o", screen, "--json", served}, {}, 2, [&] {
             if (!std::filesystem::exists(std::filesystem::symlink_status(port))) return false;
             check_refused(run_program({"board", "serve", "--port", port}), {port, "this exists already"});
@@ -270,18 +270,18 @@ TEST_CASE("a board that serve simulates is loaded, drawn, read and checked throu
     CHECK(outcome.code == 0);
     CHECK(std::chrono::duration<double>(Clock::now() - stopped).count() < 1.5);
     CHECK(outcome.out.find("--port " + port + " drives it") != std::string::npos);
-    compare_keys("serve", {nlohmann::json::parse(bytes_of(served), nullptr, false)});
-    CHECK(bytes_of(picture) == bytes_of(out + "/model.png"));
-    CHECK(bytes_of(lines).size() == 3 * 64);
+    compare_keys("serve", {nlohmann::json::parse(content_of(served), nullptr, false)});
+    CHECK(content_of(picture) == content_of(out + "/model.png"));
+    CHECK(content_of(lines).size() == 3 * 64);
     CHECK_FALSE(std::filesystem::exists(std::filesystem::symlink_status(port)));
     CHECK(std::filesystem::exists(screen));
 }
 
 TEST_CASE("a screen whose requests are never granted is reported, and the board is not equal", "[slow]") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string rtl = folder.name("rtl"), file = rtl + "/board/rc_board.sv";
     std::filesystem::copy(source_folder() + "/rtl", rtl, std::filesystem::copy_options::recursive);
-    std::string text = bytes_of(file);
+    std::string text = content_of(file);
     for (const char* signal : {".scan_req_valid_i(scan_req_valid", ".req_ready_i(scan_req_ready"}) {
         const std::size_t at = text.find(std::string(signal) + ")");
         REQUIRE(at != std::string::npos);
@@ -289,7 +289,7 @@ TEST_CASE("a screen whose requests are never granted is reported, and the board 
     }
     folder.write("rtl/board/rc_board.sv", text);
     const std::string json = folder.name("report.json");
-    const Outcome outcome =
+    const ProgramRun outcome =
         run_program({"board", "tetra:1", "--config", "ulx3s", "--set", "dram=board", "--set", "scan_out=1",
                      "--set", "pixel_writes=1", "--size", "16x12", "--json", json},
                     {"RAYCLOCK_RTL=" + rtl});
@@ -297,7 +297,7 @@ TEST_CASE("a screen whose requests are never granted is reported, and the board 
     CHECK(outcome.code == 1);
     CHECK(outcome.out.ends_with("DIFFERENT\n"));
     CHECK(outcome.out.find("EQUAL") == std::string::npos);
-    const auto report = nlohmann::json::parse(bytes_of(json), nullptr, false);
+    const auto report = nlohmann::json::parse(content_of(json), nullptr, false);
     CHECK(report["good"] == false);
     // The picture in memory is right, and none of its pixels reaches the screen.
     CHECK(report["frames"][0]["wrong_pixels"] == 0);

@@ -14,18 +14,18 @@ namespace fs = std::filesystem;
 TEST_CASE("chip routes each seed once, reports the fastest, and answers from what is kept") {
     const FakeNextpnr fake;
     const std::string out = fake.folder().name("out"), report = fake.folder().name("a.json");
-    const Outcome first = fake.run({"--seeds", "1,2", "-o", out, "--json", report});
+    const ProgramRun first = fake.run({"--seeds", "1,2", "-o", out, "--json", report});
     INFO(first.err);
     REQUIRE(first.code == 0);
     CHECK(first.err.empty());
     CHECK(fake.routed() == 2);
-    const std::string calls = bytes_of(fake.calls());
+    const std::string calls = content_of(fake.calls());
     for (const char* words :
          {"--85k --package CABGA381 --speed 6", "--json netlist.json", "--seed 1", "--seed 2"})
         CHECK_THAT(calls, Catch::Contains(words));
     CHECK_THAT(first.out, Catch::Contains("routed: 154.7 MHz with seed 1 (by seed 1: 154.7, 2: 154.7)") &&
                               Catch::Contains("harness.in_q -> dispatch.s0_q"));
-    const json figures = json::parse(bytes_of(report));
+    const json figures = json::parse(content_of(report));
     CHECK(figures["device"] == "lfe5u-85");
     CHECK(figures["fits"] == true);
     CHECK(figures["routed"] == true);
@@ -35,12 +35,12 @@ TEST_CASE("chip routes each seed once, reports the fastest, and answers from wha
     CHECK(figures["units"]["dispatch"] == figures["totals"]);
     for (const char* key : {"mhz", "from_unit", "to_unit", "stage", "source"})
         CHECK(figures["paths"][0].contains(key));
-    CHECK(bytes_of(out + "/report.txt") == first.out);
-    CHECK(json::parse(bytes_of(out + "/report.json")) == figures);
-    CHECK_THAT(bytes_of(out + "/dispatch-placement.svg"),
+    CHECK(content_of(out + "/report.txt") == first.out);
+    CHECK(json::parse(content_of(out + "/report.json")) == figures);
+    CHECK_THAT(content_of(out + "/dispatch-placement.svg"),
                Catch::StartsWith("<svg") && Catch::EndsWith("</svg>\n"));
 
-    const Outcome second = fake.run({"--seeds", "1,2"});
+    const ProgramRun second = fake.run({"--seeds", "1,2"});
     CHECK(second.out == first.out);
     CHECK(fake.routed() == 2);
     CHECK(fake.run({"--seeds", "1:3"}).code == 0);
@@ -50,11 +50,11 @@ TEST_CASE("chip routes each seed once, reports the fastest, and answers from wha
     CHECK(fake.run({"--fresh"}).code == 0);
     CHECK(fake.routed() == 5);
     // Other methods are also another chip.
-    const Outcome other = fake.run({"--placer", "static", "--router", "router2"});
+    const ProgramRun other = fake.run({"--placer", "static", "--router", "router2"});
     CHECK(fake.routed() == 7);   // placed first, then routed with router2's own settings
     CHECK_THAT(other.out, Catch::Contains("with seed 1, placer static, router2\n"));
     CHECK_THAT(
-        bytes_of(fake.calls()),
+        content_of(fake.calls()),
         Catch::Contains(
             "--timing-allow-fail --placer static --router router2 --json netlist.json --no-route") &&
             Catch::Contains("--router router2 --json roomy.json --no-pack --no-place --report report.json"));
@@ -62,7 +62,7 @@ TEST_CASE("chip routes each seed once, reports the fastest, and answers from wha
     CHECK(fake.routed() == 7);
     CHECK_THAT(fake.run({"--placements", "3"}).out, Catch::Contains("with seed 1, placed 3 times\n"));
     CHECK(fake.routed() == 10);   // the first two only place
-    const std::string all = bytes_of(fake.calls());
+    const std::string all = content_of(fake.calls());
     CHECK_THAT(all, Catch::Contains("--json netlist.json --no-route --write placed.json") &&
                         Catch::Contains("--json anchored.json --no-route --write placed.json") &&
                         Catch::Contains("--json anchored.json --report report.json"));
@@ -74,7 +74,7 @@ TEST_CASE("chip routes each seed once, reports the fastest, and answers from wha
 TEST_CASE("an interrupted chip keeps its netlist and its seeds, and goes on after them") {
     const FakeNextpnr fake;
     fake.replace("case \"$*\" in *'--seed 2') sleep 100;; esac");
-    const Outcome stopped =
+    const ProgramRun stopped =
         run_and_stop(FakeNextpnr::words({"--seeds", "1,2", "-o", fake.folder().name("out")}),
                      fake.environment(), SIGINT, [&] { return fake.routed() == 2; });
     CHECK(stopped.code == 1);
@@ -105,7 +105,7 @@ TEST_CASE("a router that fails is one sentence, and nothing of it is kept") {
     fake.replace(
         "echo \"ERROR: Unable to place cell 'x', no BELs remaining to implement cell type 'MULT18X18D'\"; "
         "false");
-    const Outcome large = fake.run();
+    const ProgramRun large = fake.run();
     CHECK(large.code == 1);
     CHECK_THAT(large.out, Catch::Contains("'small' does not fit lfe5u-85"));
     CHECK(fake.kept("chip-route-") == 0);
@@ -118,7 +118,7 @@ TEST_CASE("a router without progress is stopped, and another seed may be routed"
         "echo 'Info: Running router2...'; i=0; while [ $i -lt 110 ]; do i=$((i+1)); "
         "echo 'Info:     iter=1 wires=900 overused=43 overuse=44 archfail=NA'; done; sleep 100";
     fake.replace(stuck);
-    const Outcome none = fake.run();
+    const ProgramRun none = fake.run();
     CHECK(none.code == 1);
     CHECK_THAT(
         none.out,
@@ -131,13 +131,13 @@ TEST_CASE("a router without progress is stopped, and another seed may be routed"
         "i=0; while [ $i -le 300 ]; do i=$((i+1)); "
         "echo 'Info:  1000 |  0  1000 |  0  1000 |  43|  0.1  0.1|'; done; sleep 100";
     fake.replace(rows);
-    const Outcome no_step = fake.run();
+    const ProgramRun no_step = fake.run();
     CHECK(no_step.code == 1);
     CHECK_THAT(no_step.out,
                Catch::Contains(
                    "after 300,000 more steps of router1 at least 43 wires are still not routed; another"));
     fake.replace("case \"$*\" in *'--seed 1') " + stuck + ";; esac");
-    const Outcome second = fake.run({"--seeds", "1,2"});
+    const ProgramRun second = fake.run({"--seeds", "1,2"});
     CHECK(second.code == 0);
     CHECK_THAT(second.out, Catch::Contains("with seed 2"));
 }
@@ -154,10 +154,11 @@ std::string fake_yosys(const FakeNextpnr& fake, int multipliers) {
     fake.folder().write(
         "face", R"({"modules": {"rc_chip": {"ports": {"wb_i": {"direction": "input", "bits": [2, 3]}}}}})");
     fs::create_directories(fake.folder().name("bin"));
-    fake.folder().write(
-        "bin/yosys", "#!/bin/sh\n[ \"$1\" = -V ] && echo 'Yosys 0.23 fake" + std::to_string(multipliers) +
-                         "' && exit\nif grep -q face.json run.ys; then cp '" + fake.folder().name("face") +
-                         "' face.json; else cp '" + fake.folder().name("netlist") + "' netlist.json; fi\n");
+    fake.folder().write("bin/yosys", "#!/bin/sh\n[ \"$1\" = -V ] && echo 'Yosys 0.23 fake" +
+                                         std::to_string(multipliers) +
+                                         "' && exit\nif grep -q interface.json run.ys; then cp '" +
+                                         fake.folder().name("face") + "' interface.json; else cp '" +
+                                         fake.folder().name("netlist") + "' netlist.json; fi\n");
     fs::permissions(fake.folder().name("bin/yosys"), fs::perms::owner_all);
     return "PATH=" + fake.folder().name("bin") + ":/usr/bin:/bin";
 }
@@ -172,33 +173,33 @@ TEST_CASE("the report of a chip that does not fit says by how much, and the chip
     const auto chip = [&](const char* device) {
         return run_program({"chip", "--config", "small", "--device", device, "--json", report}, environment);
     };
-    const Outcome large = chip("lfe5u-25");
+    const ProgramRun large = chip("lfe5u-25");
     CHECK(large.code == 1);
     CHECK_THAT(large.out,
                Catch::Contains("'small' does not fit lfe5u-25: it needs 30 multipliers of 28 (2 too many; "
                                "narrow tri, which takes 30)"));
-    const json figures = json::parse(bytes_of(report));
+    const json figures = json::parse(content_of(report));
     CHECK(figures["fits"] == false);
     CHECK(figures["routed"] == false);
     CHECK(figures["fmax_mhz"].is_null());
     CHECK(figures["totals"]["dsp"] == 30);
     CHECK(fake.routed() == 0);
-    const Outcome fits = chip("lfe5u-45");
+    const ProgramRun fits = chip("lfe5u-45");
     CHECK(fits.code == 0);
     // A whole chip is placed twice and routed with its own default methods; a unit alone with nextpnr's
     // defaults.
     CHECK_THAT(fits.out, Catch::Contains("with seed 1, placer mixed, router1, placed 2 times\n"));
-    CHECK_THAT(bytes_of(fake.calls()),
+    CHECK_THAT(content_of(fake.calls()),
                Catch::Contains("--placer static --json netlist.json --no-route") &&
                    Catch::Contains(
                        "--timing-allow-fail --placer-heap-timingweight 120 --json anchored.json --report"));
     CHECK(fake.routed() == 2);
     const std::string static_again = "--placer static --json anchored.json --no-route";
-    CHECK_THAT(bytes_of(fake.calls()), !Catch::Contains(static_again));
+    CHECK_THAT(content_of(fake.calls()), !Catch::Contains(static_again));
     const auto thrice =
         run_program({"chip", "--config", "small", "--device", "lfe5u-45", "--placements", "3"}, environment);
     CHECK_THAT(thrice.out, Catch::Contains("with seed 1, placer mixed, router1, placed 3 times\n"));
-    CHECK_THAT(bytes_of(fake.calls()), Catch::Contains(static_again));   // heap is the last of them
+    CHECK_THAT(content_of(fake.calls()), Catch::Contains(static_again));   // heap is the last of them
     // The sites of multipliers and block memories from the first placement were kept.
     CHECK(fake.routed() == 4);
     // The first placement of mixed equals static's. The last of one is not that of the other.
@@ -237,7 +238,7 @@ public:
                              "#!/bin/sh\n[ \"$1\" = --version ] && echo 'fake' && exit\n" + script);
         fs::permissions(fake_.folder().name("bin/ecppack"), fs::perms::owner_all);
     }
-    Outcome run(std::vector<std::string> more = {}) const {
+    ProgramRun run(std::vector<std::string> more = {}) const {
         more.insert(more.begin(), {"chip", "--config", "ulx3s-board", "--board"});
         std::vector<std::string> environment = fake_.environment();
         environment.push_back(yosys_);
@@ -255,16 +256,16 @@ private:
 TEST_CASE("chip --board routes the board with its pins, and packs a bitstream if all clocks are met") {
     const FakeBoard board;
     const std::string out = board.fake().folder().name("out"), report = board.fake().folder().name("a.json");
-    const Outcome first = board.run({"-o", out, "--json", report});
+    const ProgramRun first = board.run({"-o", out, "--json", report});
     INFO(first.err);
     REQUIRE(first.code == 0);
     CHECK_THAT(first.out, Catch::Contains("ULX3S with 'ulx3s-board' at 75 MHz on lfe5u-85") &&
                               Catch::Contains("routed: 81.5 MHz with seed 1") &&
                               Catch::Contains("openFPGALoader --board ulx3s " + out + "/board.bit"));
-    CHECK(bytes_of(out + "/board.bit") == "routed 1\n");
-    CHECK_THAT(bytes_of(board.fake().calls()),
+    CHECK(content_of(out + "/board.bit") == "routed 1\n");
+    CHECK_THAT(content_of(board.fake().calls()),
                Catch::Contains("--lpf board.lpf --seed 1") && Catch::Contains("--textcfg board.config"));
-    const json figures = json::parse(bytes_of(report));
+    const json figures = json::parse(content_of(report));
     CHECK(figures["fmax_mhz"] == 81.5);
     CHECK(figures["bitstream_bytes"] == 9);
     CHECK(figures["clocks"] == json{{{"name", "clk"}, {"target_mhz", 75}, {"fmax_mhz", 81.5}},
@@ -284,7 +285,7 @@ TEST_CASE("chip --board makes no bitstream of a board that misses a clock") {
     const FakeBoard board;
     board.route("74.99");
     const std::string out = board.fake().folder().name("out");
-    const Outcome missed = board.run({"-o", out});
+    const ProgramRun missed = board.run({"-o", out});
     CHECK(missed.code == 1);
     CHECK_THAT(missed.out, Catch::Contains("MISSED") && Catch::Contains("there is no bitstream"));
     CHECK(fs::exists(out + "/report.txt"));
@@ -292,10 +293,10 @@ TEST_CASE("chip --board makes no bitstream of a board that misses a clock") {
     board.route("90", "124.9", '2');   // faster, but it misses the screen's clock
     CHECK(board.run({"--seeds", "2"}).code == 1);
     board.route("75", "125", '3');
-    const Outcome kept = board.run({"--seeds", "1:3", "-o", out});
+    const ProgramRun kept = board.run({"--seeds", "1:3", "-o", out});
     CHECK(kept.code == 0);
     CHECK_THAT(kept.out, Catch::Contains("routed: 75.0 MHz with seed 3") && !Catch::Contains("MISSED"));
-    CHECK(bytes_of(out + "/board.bit") == "routed 3\n");
+    CHECK(content_of(out + "/board.bit") == "routed 3\n");
 }
 
 TEST_CASE("chip --board refuses wrong options and failing tools") {
@@ -321,8 +322,8 @@ TEST_CASE("a chip that is interrupted during a second placement continues after 
     const FakeNextpnr fake;
     fake.replace("case \"$*\" in *anchored*--seed*) sleep 100;; esac");
     const std::vector<std::string> placed{"--placements", "3", "--router", "router1"};
-    const Outcome stopped = run_and_stop(FakeNextpnr::words(placed), fake.environment(), SIGINT,
-                                         [&] { return fake.routed() == 2; });
+    const ProgramRun stopped = run_and_stop(FakeNextpnr::words(placed), fake.environment(), SIGINT,
+                                            [&] { return fake.routed() == 2; });
     CHECK(stopped.code == 1);
     CHECK_THAT(stopped.err, Catch::Contains("interrupted") && Catch::Contains("continues after"));
     CHECK(fake.kept("chip-sites-") == 1);
@@ -354,17 +355,17 @@ TEST_CASE("an estimate has the sum of all units and the slowest clock, next to t
         return run_program(more, environment);
     };
     check_refused(chip({"--fast"}), {"sched, raygen, trav", "--unit sched,raygen,trav"});
-    const Outcome units = chip({"--unit", "all"});
+    const ProgramRun units = chip({"--unit", "all"});
     REQUIRE(units.code == 0);
-    const json alone = json::parse(bytes_of(report))["alone"];
+    const json alone = json::parse(content_of(report))["alone"];
     CHECK(alone.size() == 10);
     const int routed = fake.routed();
     CHECK(routed == 10);
-    const Outcome fast = chip({"--fast"});
+    const ProgramRun fast = chip({"--fast"});
     REQUIRE(fast.code == 0);
     CHECK_THAT(fast.out,
                Catch::Contains("estimated: 154.7 MHz") && Catch::Contains("the chip itself was not routed"));
-    const json estimate = json::parse(bytes_of(report));
+    const json estimate = json::parse(content_of(report));
     CHECK(estimate["estimated"] == true);
     CHECK(estimate["routed"] == false);
     CHECK(estimate["fmax_mhz_routed"].is_null());
@@ -392,23 +393,23 @@ TEST_CASE(
                   {"--clock fmax", "'small' was not routed", "rayclock chip --config small"});
     check_refused(run("sweep", {"--clock", "fmax", "--axis", "pipelines=1"}),
                   {"--clock fmax", "was not routed"});
-    const Outcome before = run("simulate", {"--clock", "66"});
+    const ProgramRun before = run("simulate", {"--clock", "66"});
     REQUIRE(before.code == 0);
     CHECK_THAT(before.out, Catch::Contains("'small' was not routed, so these clocks are assumed"));
-    const json assumed = json::parse(bytes_of(report))["clocks"][0];
+    const json assumed = json::parse(content_of(report))["clocks"][0];
     CHECK(assumed["clock_is"] == "assumed");
     CHECK(assumed["clock_mhz_routed"].is_null());
 
-    const Outcome chip =
+    const ProgramRun chip =
         run_program({"chip", "--config", "small", "--scene", "tetra:1", "--size", "16x12"}, environment);
     REQUIRE(chip.code == 0);
     CHECK_THAT(chip.out,
                Catch::Contains("tetra:1, 16x12: ") && Catch::Contains("per second at the routed 154.7 MHz"));
 
-    const Outcome after = run("simulate", {"--clock", "fmax,66,200"});
+    const ProgramRun after = run("simulate", {"--clock", "fmax,66,200"});
     REQUIRE(after.code == 0);
     CHECK_THAT(after.out, Catch::Contains("routed on lfe5u-85: 154.7 MHz; 200 MHz assumed"));
-    const json clocks = json::parse(bytes_of(report))["clocks"];
+    const json clocks = json::parse(content_of(report))["clocks"];
     REQUIRE(clocks.size() == 3);
     CHECK(clocks[0]["mhz"] == 154.726);   // rounds down to a clock that routing has shown
     CHECK(clocks[0]["clock_is"] == "routed");
@@ -416,7 +417,7 @@ TEST_CASE(
     CHECK(clocks[1]["clock_is"] == "routed");
     CHECK(clocks[2]["clock_is"] == "assumed");
     REQUIRE(run("sweep", {"--clock", "fmax", "--axis", "node_sets=32", "--no-netlist"}).code == 0);
-    CHECK(json::parse(bytes_of(report))["points"][0]["clock"]["mhz"] == 154.726);
+    CHECK(json::parse(content_of(report))["points"][0]["clock"]["mhz"] == 154.726);
     check_refused(run("sweep", {"--clock", "fmax", "--axis", "node_sets=16", "--no-netlist"}),
                   {"was not routed"});
 }
@@ -489,7 +490,7 @@ TEST_CASE("a missing, old or wrong router gives one sentence, and doctor reports
 }
 
 TEST_CASE("dispatch is really placed and routed, and has the registers that Yosys has counted", "[slow]") {
-    const Folder folder;
+    const TestFolder folder;
     const std::vector<std::string> environment{"RAYCLOCK_CACHE=" + folder.name("cache")};
     const std::string doctor = run_program({"doctor", "--json", "-"}, environment).out;
     if (json::parse(doctor)["nextpnr"].is_null()) {
@@ -497,18 +498,18 @@ TEST_CASE("dispatch is really placed and routed, and has the registers that Yosy
         return;
     }
     const auto chip = [&](const char* report, const std::string& seed) {
-        const Outcome outcome = run_program({"chip", "--config", "small", "--unit", "dispatch", "--seeds",
-                                             seed, "--json", folder.name(report)},
-                                            environment);
+        const ProgramRun outcome = run_program({"chip", "--config", "small", "--unit", "dispatch", "--seeds",
+                                                seed, "--json", folder.name(report)},
+                                               environment);
         INFO(outcome.err);
         REQUIRE(outcome.code == 0);
-        return json::parse(bytes_of(folder.name(report)));
+        return json::parse(content_of(folder.name(report)));
     };
     const json routed = chip("a.json", "1"), area = [&] {
         run_program(
             {"study", "area", "--config", "small", "--unit", "dispatch", "--json", folder.name("area.json")},
             environment);
-        return json::parse(bytes_of(folder.name("area.json")))["variants"][0]["units"][0]["count"];
+        return json::parse(content_of(folder.name("area.json")))["variants"][0]["units"][0]["count"];
     }();
     CHECK(routed["totals"]["ff"] == area["ff"]);
     CHECK(routed["fmax_mhz"].get<double>() > 60);

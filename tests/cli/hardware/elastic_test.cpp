@@ -19,7 +19,7 @@ const std::string page = "docs/machine/unit-of-your-own.md";
 
 /// Returns the texts of the page's blocks in a language.
 std::vector<std::string> blocks(const std::string& language) {
-    const std::string text = bytes_of(page), begin = "```" + language + "\n";
+    const std::string text = content_of(page), begin = "```" + language + "\n";
     std::vector<std::string> all;
     for (std::size_t at = text.find(begin); at != text.npos; at = text.find(begin, at)) {
         at += begin.size();
@@ -31,7 +31,7 @@ std::vector<std::string> blocks(const std::string& language) {
 }   // namespace
 
 TEST_CASE("the steps in docs/machine/unit-of-your-own.md give the results that it states") {
-    const Folder folder;
+    const TestFolder folder;
     const std::vector<std::string> commands = blocks("sh"), modules = blocks("systemverilog");
     REQUIRE(commands.size() == 3);
     REQUIRE(modules.size() == 1);
@@ -46,7 +46,7 @@ TEST_CASE("the steps in docs/machine/unit-of-your-own.md give the results that i
         REQUIRE(arguments.size() > 2);
         REQUIRE(arguments[0] == "rayclock");
         arguments.erase(arguments.begin());
-        const Outcome outcome = run_program(arguments);
+        const ProgramRun outcome = run_program(arguments);
         INFO(command << outcome.out << outcome.err);
         CHECK(outcome.code == (command.find("exit code 1") == command.npos ? 0 : 1));
         if (arguments[0] == "template") folder.write("my_tri/wrapped_tri.sv", modules[0]);
@@ -59,12 +59,12 @@ TEST_CASE("the steps in docs/machine/unit-of-your-own.md give the results that i
 }
 
 TEST_CASE("the wrapper of a template is the unit, in the same cycles") {
-    const Folder folder;
+    const TestFolder folder;
     REQUIRE(run_program({"template", "box", "--config", "small", "-o", folder.name("box")}).code == 0);
-    const std::string readme = bytes_of(folder.name("box/README.md"));
+    const std::string readme = content_of(folder.name("box/README.md"));
     CHECK_THAT(readme, Contains("| `box_req` | from node_cache | handshake | ray (") &&
                            Contains("- `box_rsp`: t_near, offset, count in the entries"));
-    const Outcome outcome =
+    const ProgramRun outcome =
         run_program({"verify", "--elastic", "box", "--unit", "box=" + folder.name("box/wrapped_box.sv"),
                      "gears:1", "--size", "16x12", "--config", "small", "--json", "-"});
     INFO(outcome.err);
@@ -80,14 +80,14 @@ TEST_CASE("the wrapper of a template is the unit, in the same cycles") {
 }
 
 TEST_CASE("a scene may follow --elastic") {
-    const Outcome outcome = run_program(
+    const ProgramRun outcome = run_program(
         {"verify", "--elastic", "gears:1", "--size", "16x12", "--config", "small", "--json", "-"});
     REQUIRE(outcome.code == 0);
     CHECK(json::parse(outcome.out)["elastic"]["units"] == "all");
 }
 
 TEST_CASE("units and files that make no sense are refused in a sentence") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string empty = folder.write("empty.sv", ""),
                       other = folder.write("other.sv", "module rc_box; endmodule\n"),
                       broken = folder.write("broken.sv", "module rc_tri (input logic clk_i); oops\n");
@@ -105,7 +105,7 @@ TEST_CASE("units and files that make no sense are refused in a sentence") {
     check_refused(verify({"--unit", "tri=" + empty}), {"empty.sv", "empty"});
     check_refused(verify({"--unit", "tri=" + other}), {"other.sv", "no module rc_tri"});
     check_refused(verify({"--unit", "box=" + other, "--unit", "box=" + other}), {"twice"});
-    const Outcome outcome = verify({"--unit", "tri=" + broken});   // a line before says that RTL is built
+    const ProgramRun outcome = verify({"--unit", "tri=" + broken});   // a line before says that RTL is built
     CHECK(outcome.code == 2);
     CHECK(outcome.out.empty());
     CHECK_THAT(outcome.err, Contains("verilator") && Contains("tri=" + broken) && Contains("failed"));
@@ -130,16 +130,16 @@ TEST_CASE("units and files that make no sense are refused in a sentence") {
 }
 
 TEST_CASE("the run lines of a template have the settings of the chip") {
-    const Folder folder;
+    const TestFolder folder;
     REQUIRE(run_program(
                 {"template", "tri", "--config", "small", "--set", "contexts=16", "-o", folder.name("my_tri")})
                 .code == 0);
-    CHECK_THAT(bytes_of(folder.name("my_tri/README.md")),
+    CHECK_THAT(content_of(folder.name("my_tri/README.md")),
                Contains("verify gears:2 --size 48x36 --config small --set contexts=16 --elastic tri"));
 }
 
 TEST_CASE("a unit alone reports what it compared, and names what it left out") {
-    const Outcome outcome = run_program(
+    const ProgramRun outcome = run_program(
         {"verify", "gears:1", "--size", "16x12", "--config", "small", "--unit-only", "tri", "--json", "-"});
     REQUIRE(outcome.code == 0);
     const json report = json::parse(outcome.out);
@@ -153,14 +153,15 @@ TEST_CASE("a unit alone reports what it compared, and names what it left out") {
 }
 
 TEST_CASE("the run lines of a template for streams work") {
-    const Folder folder;
-    const Outcome outcome = run_program({"template", "tri", "--config", "small", "--set", "source=stream",
-                                         "--set", "shading=1", "-o", folder.name("my_tri"), "--json", "-"});
+    const TestFolder folder;
+    const ProgramRun outcome =
+        run_program({"template", "tri", "--config", "small", "--set", "source=stream", "--set", "shading=1",
+                     "-o", folder.name("my_tri"), "--json", "-"});
     REQUIRE(outcome.code == 0);
     const json report = json::parse(outcome.out);
     CHECK(report["unit"] == "tri");
     CHECK(report["files"] == json::array({"rc_tri.sv", "wrapped_tri.sv", "README.md"}));
-    std::istringstream lines(bytes_of(folder.name("my_tri/README.md")));
+    std::istringstream lines(content_of(folder.name("my_tri/README.md")));
     std::size_t runs = 0;
     for (std::string line; std::getline(lines, line);) {
         std::istringstream words(line);
@@ -174,7 +175,7 @@ TEST_CASE("the run lines of a template for streams work") {
         if (arguments.empty() || arguments[0] != "rayclock" || line.find("wrapped") != line.npos) continue;
         if (arguments[1] == "export") continue;
         arguments.erase(arguments.begin());
-        const Outcome run = run_program(arguments);
+        const ProgramRun run = run_program(arguments);
         INFO(line << run.out << run.err);
         CHECK(run.code == 0);
         ++runs;
@@ -183,10 +184,10 @@ TEST_CASE("the run lines of a template for streams work") {
 }
 
 TEST_CASE("sources that the cache cannot track, or that end the program, are refused") {
-    const Folder folder;
+    const TestFolder folder;
     const auto refused = [&](const std::string& name, const std::string& text) {
         const std::string file = folder.write(name, text);
-        const Outcome outcome =
+        const ProgramRun outcome =
             run_program({"verify", "gears:1", "--size", "8x8", "--config", "small", "--elastic", "--unit",
                          name.substr(0, name.find('.')) + "=" + file});
         CHECK(outcome.code == 2);

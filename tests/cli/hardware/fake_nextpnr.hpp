@@ -28,7 +28,7 @@ public:
     std::vector<std::string> environment() const {
         return {"RAYCLOCK_NEXTPNR=" + folder_.name("nextpnr"), "RAYCLOCK_CACHE=" + folder_.name("cache")};
     }
-    Outcome run(std::vector<std::string> more = {}) const {
+    ProgramRun run(std::vector<std::string> more = {}) const {
         return run_program(words(std::move(more)), environment());
     }
     static std::vector<std::string> words(std::vector<std::string> more) {
@@ -37,7 +37,7 @@ public:
     }
     /// Returns the number of calls.
     int routed() const {
-        const std::string lines = bytes_of(calls());
+        const std::string lines = content_of(calls());
         return int(std::count(lines.begin(), lines.end(), '\n'));
     }
     std::string calls() const { return folder_.name("calls"); }
@@ -48,10 +48,10 @@ public:
             n += entry.path().filename().string().starts_with(begin);
         return n;
     }
-    const Folder& folder() const { return folder_; }
+    const TestFolder& folder() const { return folder_; }
 
 private:
-    Folder folder_;
+    TestFolder folder_;
 };
 
 }   // namespace rayclock::test

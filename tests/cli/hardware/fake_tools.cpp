@@ -48,7 +48,7 @@ void FakeTools::replace(const std::string& tool, const std::string& script) cons
 void FakeTools::remove(const std::string& tool) const { fs::remove(path("bin/" + tool)); }
 
 int FakeTools::compilations() const {
-    std::istringstream calls(bytes_of(path("calls")));
+    std::istringstream calls(content_of(path("calls")));
     int count = 0;
     for (std::string call; std::getline(calls, call);)
         count += call.find("-o support.o") == std::string::npos;

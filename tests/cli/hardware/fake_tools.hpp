@@ -17,14 +17,14 @@ public:
     std::vector<std::string> environment() const;
     std::string path(const std::string& file) const { return folder_.name(file); }
     std::string cache() const { return folder_.name(cache_); }
-    const Folder& folder() const { return folder_; }
+    const TestFolder& folder() const { return folder_; }
 
     /// Replaces a tool by a shell script.
     void replace(const std::string& tool, const std::string& script) const;
     void remove(const std::string& tool) const;
 
     /// Runs `rayclock rtl`, which builds RTL or finds it built.
-    Outcome rtl() const { return run_program({"rtl"}, environment()); }
+    ProgramRun rtl() const { return run_program({"rtl"}, environment()); }
     /// Returns how often the compiler was called to compile or link a library. A build takes two calls.
     int compilations() const;
     /// Returns the only library of the cache. Verilator's compiled sources are next to it.
@@ -42,7 +42,7 @@ public:
     static constexpr int many = 200'000;
 
 private:
-    Folder folder_;
+    TestFolder folder_;
     std::string cache_;
 };
 

@@ -14,11 +14,11 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Copies the project's RTL to `folder` with one text replaced, which must occur exactly once.
-std::string broken_rtl(const Folder& folder, const std::string& file, const std::string& old,
+std::string broken_rtl(const TestFolder& folder, const std::string& file, const std::string& old,
                        const std::string& fresh) {
     const std::string copy = folder.name("rtl");
     fs::copy(source_folder() + "/rtl", copy, fs::copy_options::recursive);
-    std::string text = bytes_of(copy + "/" + file);
+    std::string text = content_of(copy + "/" + file);
     const std::size_t at = text.find(old);
     REQUIRE(at != std::string::npos);
     REQUIRE(text.find(old, at + 1) == std::string::npos);
@@ -28,7 +28,7 @@ std::string broken_rtl(const Folder& folder, const std::string& file, const std:
 
 /// Checks that every signal of GTKWave's save file exists.
 void check_view(const std::string& folder, const Waveform& wave) {
-    std::istringstream view(bytes_of(folder + "/divergence.gtkw"));
+    std::istringstream view(content_of(folder + "/divergence.gtkw"));
     std::size_t shown = 0;
     for (std::string line; std::getline(view, line);) {
         if (!line.starts_with("links.") && !line.starts_with("TOP.")) continue;
@@ -39,7 +39,7 @@ void check_view(const std::string& folder, const Waveform& wave) {
 }
 
 /// Checks waveform, save file and page of a divergence of u on the link tri_rsp.
-void check_waveform(const Folder& folder, const nlohmann::json& d) {
+void check_waveform(const TestFolder& folder, const nlohmann::json& d) {
     const std::string out = folder.name("out") + "/";
     REQUIRE(d["wave"] == out + "divergence.fst");
     const Waveform wave(d["wave"]);
@@ -68,7 +68,7 @@ void check_waveform(const Folder& folder, const nlohmann::json& d) {
     CHECK(wave.at(offered, time + 5) == "1");
 
     check_view(folder.name("out"), wave);
-    const std::string page = bytes_of(out + "divergence.html");
+    const std::string page = content_of(out + "divergence.html");
     for (const std::string& part :
          {std::string("with another payload"), std::string("rtl/unit/tri/rc_tri.sv:"),
           std::string("assign rsp_o = "), std::string(d["expected"]), std::string(d["got"]),
@@ -79,16 +79,16 @@ void check_waveform(const Folder& folder, const nlohmann::json& d) {
 }   // namespace
 
 TEST_CASE("verify names the first divergence of wrong RTL, and shows it as a waveform") {
-    const Folder folder;
+    const TestFolder folder;
     // u of every hit is one too large.
     const std::string rtl =
         broken_rtl(folder, "unit/tri/rc_hitdiv.sv", "assign u_o = {", "assign u_o = (BaryBits+1)'(1) + {");
     const std::vector<std::string> environment{"RAYCLOCK_RTL=" + rtl,
                                                "RAYCLOCK_CACHE=" + folder.name("cache")};
     const std::string file = folder.name("report.json");
-    const Outcome outcome = run_program({"verify", "tetra:3", "--size", "24x18", "--config", "small",
-                                         "--json", file, "-o", folder.name("out")},
-                                        environment);
+    const ProgramRun outcome = run_program({"verify", "tetra:3", "--size", "24x18", "--config", "small",
+                                            "--json", file, "-o", folder.name("out")},
+                                           environment);
     INFO(outcome.out << outcome.err);
     CHECK(outcome.code == 1);
     CHECK(outcome.err ==
@@ -98,7 +98,7 @@ TEST_CASE("verify names the first divergence of wrong RTL, and shows it as a wav
     CHECK(outcome.out.find("unit tri, link tri_rsp") != std::string::npos);
     CHECK(outcome.out.find("FAILED") != std::string::npos);
     CHECK(outcome.out.find("VERIFIED") == std::string::npos);
-    const nlohmann::json report = nlohmann::json::parse(bytes_of(file)), d = report["first_divergence"];
+    const nlohmann::json report = nlohmann::json::parse(content_of(file)), d = report["first_divergence"];
     REQUIRE(d.is_object());
     CHECK(report["value_mismatches"] > 0);
     CHECK(report["cycle_gap"] == 0);
@@ -115,17 +115,17 @@ TEST_CASE("verify names the first divergence of wrong RTL, and shows it as a wav
     CHECK(std::stol(got.substr(2)) == std::stol(expected.substr(2)) + 1);
     check_waveform(folder, d);
     // The value passes a queue and a register, back to the statement that computes it.
-    const std::string page = bytes_of(folder.name("out/divergence.html"));
+    const std::string page = content_of(folder.name("out/divergence.html"));
     CHECK(page.find("<dt>made by</dt><dd>rtl/unit/tri/rc_hitdiv.sv:") != std::string::npos);
     CHECK(page.find("<code>assign u_o = (BaryBits+1)") != std::string::npos);
 
     // An elastic run finds the same value, and its waveform has the RTL alone.
-    const Outcome elastic = run_program({"verify", "tetra:3", "--size", "24x18", "--config", "small",
-                                         "--elastic", "tri", "--json", file, "-o", folder.name("elastic")},
-                                        environment);
+    const ProgramRun elastic = run_program({"verify", "tetra:3", "--size", "24x18", "--config", "small",
+                                            "--elastic", "tri", "--json", file, "-o", folder.name("elastic")},
+                                           environment);
     INFO(elastic.out << elastic.err);
     CHECK(elastic.code == 1);
-    const nlohmann::json e = nlohmann::json::parse(bytes_of(file))["first_divergence"];
+    const nlohmann::json e = nlohmann::json::parse(content_of(file))["first_divergence"];
     CHECK(e["expected"] == expected);
     CHECK(e["got"] == got);
     REQUIRE(e["wave"] == folder.name("elastic/divergence.fst"));
@@ -149,11 +149,11 @@ TEST_CASE("verify names the first divergence of wrong RTL, and shows it as a wav
 }
 
 TEST_CASE("RTL that cannot be built is an error, and leaves nothing in the cache") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string rtl = broken_rtl(folder, "engine/rc_rank.sv", "endmodule", "endmodul");
     fs::create_directory(folder.name("cache"));
-    const Outcome outcome = run_program({"verify", "tetra:1", "--size", "8x8"},
-                                        {"RAYCLOCK_RTL=" + rtl, "RAYCLOCK_CACHE=" + folder.name("cache")});
+    const ProgramRun outcome = run_program({"verify", "tetra:1", "--size", "8x8"},
+                                           {"RAYCLOCK_RTL=" + rtl, "RAYCLOCK_CACHE=" + folder.name("cache")});
     CHECK(outcome.code == 2);
     CHECK(outcome.err.find("rc_rank.sv") != std::string::npos);
     for (const auto& [name, bytes] : folder.contents())

@@ -13,11 +13,11 @@ using nlohmann::json;
 namespace {
 
 /// Copies rtl/ with `from`, which must occur once, replaced by `to`.
-std::string faulty_rtl(const Folder& folder, const std::string& file, const std::string& from,
+std::string faulty_rtl(const TestFolder& folder, const std::string& file, const std::string& from,
                        const std::string& to) {
     const std::string copy = folder.name("rtl");
     std::filesystem::copy(source_folder() + "/rtl", copy, std::filesystem::copy_options::recursive);
-    std::string text = bytes_of(copy + "/" + file);
+    std::string text = content_of(copy + "/" + file);
     const std::size_t at = text.find(from);
     REQUIRE(at != std::string::npos);
     REQUIRE(text.find(from, at + 1) == std::string::npos);
@@ -28,7 +28,7 @@ std::string faulty_rtl(const Folder& folder, const std::string& file, const std:
 }   // namespace
 
 TEST_CASE("a rounding fault in the RTL is a bug, and the exit code says so", "[slow]") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string rtl = faulty_rtl(folder, "unit/tri/rc_hitdiv.sv", "t_down + {{(TBits-1){1'b0}}, t_up}",
                                        "t_down + {{(TBits-1){1'b0}}, t_up && 1'b0}");
     const std::vector<std::string> environment{"RAYCLOCK_RTL=" + rtl,
@@ -38,7 +38,7 @@ TEST_CASE("a rounding fault in the RTL is a bug, and the exit code says so", "[s
 
     std::vector<std::string> simulate{"simulate", "--engine", "rtl"};
     simulate.insert(simulate.end(), frame.begin(), frame.end());
-    const Outcome alone = run_program(simulate, environment);
+    const ProgramRun alone = run_program(simulate, environment);
     CHECK(alone.code == 1);
     const json error = json::parse(alone.out)["error"];
     CHECK(error["oracle"]["wrong"] > 100);
@@ -48,7 +48,7 @@ TEST_CASE("a rounding fault in the RTL is a bug, and the exit code says so", "[s
 
     std::vector<std::string> verify{"verify", "--no-wave"};
     verify.insert(verify.end(), frame.begin(), frame.end());
-    const Outcome verified = run_program(verify, environment);
+    const ProgramRun verified = run_program(verify, environment);
     CHECK(verified.code == 1);
     CHECK(json::parse(verified.out)["reference"]["causes"]["bug"] == error["causes"]["bug"]);
 }

@@ -25,10 +25,10 @@ bool comes_true(const std::function<bool()>& claim) {
 
 /// Counts processes whose ids are in a file and that still run.
 int living(const std::string& file) {
-    std::istringstream numbers(bytes_of(file));
+    std::istringstream numbers(content_of(file));
     int count = 0;
     for (long pid = 0; numbers >> pid;) {
-        const std::string stat = bytes_of("/proc/" + std::to_string(pid) + "/stat");
+        const std::string stat = content_of("/proc/" + std::to_string(pid) + "/stat");
         const std::size_t end = stat.rfind(')');
         count += end != std::string::npos && stat[end + 2] != 'Z';
     }
@@ -54,7 +54,7 @@ TEST_CASE("a build that is stopped takes its compilers with it, and leaves no fo
     std::vector<std::string> arguments{command};
     if (command == "verify") arguments.insert(arguments.end(), {"tetra:1", "--size", "8x8"});
     const std::string pids = tools.path("pids");
-    const Outcome outcome =
+    const ProgramRun outcome =
         run_and_stop(arguments, tools.environment(), signal, [&] { return living(pids) == (own ? 2 : 4); });
     INFO(command << " stopped by signal " << signal << ": " << outcome.err);
     CHECK(comes_true([&] { return living(pids) == 0; }));
@@ -75,7 +75,7 @@ TEST_CASE("of two compilers the first that fails ends the other") {
     tools.replace("c++", FakeTools::compiler("case $out in support.o) echo built > $out; exit;; esac; "
                                              "echo $$ >> \"$FAKE/pids\"; case $out in part0*) exec "
                                              "/bin/sleep 600;; esac; echo start.cpp: no; exit 1"));
-    const Outcome outcome = tools.rtl();
+    const ProgramRun outcome = tools.rtl();
     CHECK(outcome.code == 2);
     CHECK_THAT(outcome.err,
                Contains("rayclock: the C++ compiler on the verilated rc_chip failed: start.cpp: no\n"));
@@ -106,12 +106,12 @@ TEST_CASE("a missing tool is one sentence, and the doctor knows it") {
 TEST_CASE("the doctor misses Vega, and neither Yosys nor other tools that one command needs") {
     const FakeTools tools;
     std::vector<std::string> environment = tools.environment();
-    const Outcome good = run_program({"doctor"}, environment);
+    const ProgramRun good = run_program({"doctor"}, environment);
     CHECK(good.code == 0);
     CHECK_THAT(good.out,
                Contains("Everything is there.") && Contains("yosys") && Contains("none: no multipliers"));
     environment.push_back("RAYCLOCK_VEGA=" + tools.path("none"));
-    const Outcome bad = run_program({"doctor"}, environment);
+    const ProgramRun bad = run_program({"doctor"}, environment);
     CHECK(bad.code == 1);
     CHECK_THAT(bad.out,
                Contains("MISSING") && Contains("libjs-vega") && Contains("set RAYCLOCK_VEGA to a folder"));
@@ -131,7 +131,7 @@ TEST_CASE("RAYCLOCK_RTL that names no RTL is one sentence, and the doctor knows 
     for (const auto& [name, words] : cases) {
         environment[2] = "RAYCLOCK_RTL=" + tools.path(name);
         check_refused(run_program({"rtl"}, environment), {environment[2] + words});
-        const Outcome doctor = run_program({"doctor"}, environment);
+        const ProgramRun doctor = run_program({"doctor"}, environment);
         CHECK(doctor.code == 1);
         CHECK_THAT(doctor.out, Contains("MISSING: " + environment[2] + words) && Contains("no RTL: verify"));
     }
@@ -148,20 +148,20 @@ TEST_CASE("a netlist needs Yosys, and models of its cells") {
     check_refused(run_program(words, tools.environment()), {"ecp5/cells.v cannot be read, and netlists"});
     fs::create_directory(tools.path("rtl/ecp5"));
     tools.folder().write("rtl/ecp5/cells.v", "// no cell\n");
-    const Outcome outcome = run_program(words, tools.environment());
+    const ProgramRun outcome = run_program(words, tools.environment());
     CHECK(outcome.code != 0);
     CHECK_THAT(outcome.err, Contains("yosys has no model of the cell LUT2"));
 }
 
 TEST_CASE("the doctor names versions that were not tried, where things are, and what is set") {
     const FakeTools tools;
-    const Outcome good = run_program({"doctor"}, tools.environment());
+    const ProgramRun good = run_program({"doctor"}, tools.environment());
     CHECK_THAT(good.out, Contains("RAYCLOCK_RTL       " + tools.path("rtl")) &&
                              Contains("RAYCLOCK_CACHE     " + tools.cache()) && !Contains("not tried"));
     tools.replace("verilator", FakeTools::verilator("5.020"));
     tools.replace("c++", FakeTools::compiler("echo built > \"$out\"", "13.1.0"));
     tools.replace("yosys", "echo 'Yosys 0.33 (git sha1 fake)'");
-    const Outcome untried = run_program({"doctor"}, tools.environment());
+    const ProgramRun untried = run_program({"doctor"}, tools.environment());
     CHECK(untried.code == 0);
     CHECK_THAT(untried.out, Contains("verilator 5.020 was not tried") && Contains("c++ 13 was not tried") &&
                                 Contains("yosys 0.33 was not tried"));
@@ -183,23 +183,23 @@ TEST_CASE("tools see no path of the user's, and need nothing of the source tree"
     // built.
     tools.replace("c++", FakeTools::compiler("[ -f abi.hpp -o $out = support.o ] && ! /bin/grep -rq '" +
                                              source_folder() + "' . && echo built > \"$out\""));
-    const Outcome outcome = run_program({"rtl"}, environment);
+    const ProgramRun outcome = run_program({"rtl"}, environment);
     INFO(outcome.err);
     CHECK(outcome.code == 0);
     for (const char* file : {"calls", "verilated"}) {
-        const std::string said = bytes_of(tools.path(file));
+        const std::string said = content_of(tools.path(file));
         INFO(said);
         CHECK(said.size() > 10);
         for (const std::string& never :
              {std::string("odd'"), std::string("$"), std::string("'"), std::string("\""), source_folder()})
             CHECK_THAT(said, !Contains(never));
     }
-    CHECK_THAT(bytes_of(tools.path("verilated")), Contains("rtl/a_part/rc_odd_name.sv"));
+    CHECK_THAT(content_of(tools.path("verilated")), Contains("rtl/a_part/rc_odd_name.sv"));
 }
 
 TEST_CASE("a build says what it builds: one line when piped") {
     const FakeTools tools;
-    const Outcome first = tools.rtl();
+    const ProgramRun first = tools.rtl();
     CHECK(first.err == "rayclock: building the RTL of 'default', once for all runs\n");
     CHECK(tools.rtl().err.empty());
 }
@@ -214,7 +214,7 @@ TEST_CASE("on a terminal a build shows its stage and its time, and wipes the lin
     REQUIRE(
         std::system(("script -qec 'sh " + tools.path("run.sh") + "' " + tools.path("seen") + " > /dev/null")
                         .c_str()) == 0);
-    const std::string seen = bytes_of(tools.path("seen"));
+    const std::string seen = content_of(tools.path("seen"));
     CHECK_THAT(seen, Contains("building the RTL of 'default': Verilator, 0 s"));
     CHECK_THAT(seen, Contains("building the RTL of 'default': the C++ compiler, 0 s, about 0 s left"));
     CHECK_THAT(seen, Contains("\r\033[Kdefault: built in ") || Contains("\r\033[K\r\ndefault: built in "));

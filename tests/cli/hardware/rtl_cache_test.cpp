@@ -18,12 +18,12 @@ namespace fs = std::filesystem;
 namespace {
 
 void check_built(const FakeTools& tools, bool now) {
-    const Outcome outcome = tools.rtl();
+    const ProgramRun outcome = tools.rtl();
     INFO(outcome.err);
     CHECK(outcome.code == 0);
     CHECK_THAT(outcome.out, Contains(now ? "built in " : "built before, "));
     CHECK_THAT(outcome.err, now ? Contains("rayclock: building the RTL of 'default'") : Contains(""));
-    CHECK(bytes_of(tools.entry() + "/module.so") == "built\n");
+    CHECK(content_of(tools.entry() + "/module.so") == "built\n");
 }
 
 struct Damage {
@@ -89,7 +89,7 @@ TEST_CASE("a damaged entry of the RTL cache is built again, once") {
 TEST_CASE("Verilator's own sources are compiled once for all RTL, and again if they are damaged") {
     const FakeTools tools;
     const auto compiled = [&] {
-        const std::string calls = bytes_of(tools.path("calls"));
+        const std::string calls = content_of(tools.path("calls"));
         int count = 0;
         for (std::size_t at = 0; (at = calls.find("-o support.o", at)) != std::string::npos; ++at) ++count;
         return count;
@@ -105,14 +105,14 @@ TEST_CASE("Verilator's own sources are compiled once for all RTL, and again if t
     fs::remove_all(tools.entry());
     check_built(tools, true);
     CHECK(compiled() == 1);
-    REQUIRE(bytes_of(own()) == "built\n");
+    REQUIRE(content_of(own()) == "built\n");
     write(own(), "buiLt\n");
     check_built(tools, false);   // an existing library no longer needs them
     CHECK(compiled() == 1);
     fs::remove_all(tools.entry());
     check_built(tools, true);
     CHECK(compiled() == 2);
-    CHECK(bytes_of(own()) == "built\n");
+    CHECK(content_of(own()) == "built\n");
 }
 
 TEST_CASE(
@@ -130,11 +130,11 @@ TEST_CASE(
     CHECK(with("").code == 0);
     CHECK(with(" -O1  -g ").code == 0);
     CHECK(tools.compilations() == 4);   // both are kept
-    CHECK_THAT(bytes_of(tools.path("calls")), Contains(" -O2 -fPIC -fvisibility=default -w -O1 -g -I. "));
+    CHECK_THAT(content_of(tools.path("calls")), Contains(" -O2 -fPIC -fvisibility=default -w -O1 -g -I. "));
 
     tools.replace(
         "c++", FakeTools::compiler("echo 'c++: error: unrecognized option -Q' >&2; echo more >&2; exit 1"));
-    const Outcome refused = with("-Q");
+    const ProgramRun refused = with("-Q");
     CHECK(refused.code == 2);
     CHECK_THAT(refused.err,
                Contains("RAYCLOCK_CXXFLAGS=-Q: the C++ compiler says: error: unrecognized option -Q\n"));
@@ -166,7 +166,7 @@ TEST_CASE("a cache that cannot be a folder is refused, and doctor reports it") {
         std::vector<std::string> environment = tools.environment();
         environment[3] = "RAYCLOCK_CACHE=" + place;
         check_refused(run_program({"rtl"}, environment), {place, "RAYCLOCK_CACHE"});
-        const Outcome doctor = run_program({"doctor"}, environment);
+        const ProgramRun doctor = run_program({"doctor"}, environment);
         CHECK(doctor.code == 1);
         CHECK_THAT(doctor.out, Contains("MISSING: " + place) && Contains("set RAYCLOCK_CACHE to a folder"));
     }
@@ -202,19 +202,19 @@ TEST_CASE("only the remains of dead builds are removed") {
 TEST_CASE("programs that need the same RTL at the same time build it once") {
     const FakeTools tools;
     tools.replace("c++", FakeTools::compiler("/bin/sleep 0.3; echo built > \"$out\""));
-    std::vector<Outcome> outcomes(4);
+    std::vector<ProgramRun> outcomes(4);
     std::vector<std::thread> programs;
-    for (Outcome& outcome : outcomes) programs.emplace_back([&] { outcome = tools.rtl(); });
+    for (ProgramRun& outcome : outcomes) programs.emplace_back([&] { outcome = tools.rtl(); });
     for (std::thread& program : programs) program.join();
     int built = 0;
-    for (const Outcome& outcome : outcomes) {
+    for (const ProgramRun& outcome : outcomes) {
         INFO(outcome.err);
         CHECK(outcome.code == 0);
         built += outcome.out.find("built in") != std::string::npos;
     }
     CHECK(built == 1);
     CHECK(tools.compilations() == 2);
-    CHECK(bytes_of(tools.entry() + "/module.so") == "built\n");
+    CHECK(content_of(tools.entry() + "/module.so") == "built\n");
 }
 
 TEST_CASE("RTL built by another Verilator or compiler is not used, and the first build remains") {
@@ -248,7 +248,7 @@ TEST_CASE("without HOME the RTL cache is a private temporary folder, with a warn
     std::vector<std::string> environment = tools.environment();
     environment[3] = "RAYCLOCK_CACHE=";
     environment.insert(environment.end(), {"HOME=", "XDG_CACHE_HOME=relative", "TMPDIR=" + tools.path("")});
-    const Outcome outcome = run_program({"rtl"}, environment);
+    const ProgramRun outcome = run_program({"rtl"}, environment);
     INFO(outcome.err);
     CHECK(outcome.code == 0);
     CHECK_THAT(outcome.err, Contains("rayclock: HOME is not set") && Contains("RAYCLOCK_CACHE"));

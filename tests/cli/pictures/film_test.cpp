@@ -34,7 +34,7 @@ std::uint32_t pictures_of(const std::string& png) {
 }
 
 json frames_of(const Words& words) {
-    const Outcome outcome = run_program(words);
+    const ProgramRun outcome = run_program(words);
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     return json::parse(outcome.out)["film"]["clocks"][0]["frames"];
@@ -43,25 +43,26 @@ json frames_of(const Words& words) {
 }   // namespace
 
 TEST_CASE("a film is numbered frames that differ, and one picture that plays them all") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string out = folder.name("film");
-    const Outcome outcome = run_program(film_of({"--fps", "4", "-o", out}));
+    const ProgramRun outcome = run_program(film_of({"--fps", "4", "-o", out}));
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
-    const std::string first = bytes_of(out + "/frame_0000.png"), second = bytes_of(out + "/frame_0001.png");
+    const std::string first = content_of(out + "/frame_0000.png"),
+                      second = content_of(out + "/frame_0001.png");
     CHECK(first.starts_with("\x89PNG"));
     CHECK(first != second);
-    CHECK(second != bytes_of(out + "/frame_0002.png"));
-    CHECK(pictures_of(bytes_of(out + "/film.png")) == 3);
+    CHECK(second != content_of(out + "/frame_0002.png"));
+    CHECK(pictures_of(content_of(out + "/film.png")) == 3);
     // A shorter film in the same folder leaves no file of the longer one.
     REQUIRE(run_program(film_of({"--fps", "4", "-o", out}, 2)).code == 0);
-    CHECK(pictures_of(bytes_of(out + "/film.png")) == 2);
+    CHECK(pictures_of(content_of(out + "/film.png")) == 2);
     CHECK(folder.contents().count("film/frame_0002.png") == 0);
-    CHECK(bytes_of(out + "/frame_0001.png") == second);
+    CHECK(content_of(out + "/frame_0001.png") == second);
 }
 
 TEST_CASE("a film that does not show its frames is refused") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string out = folder.name("film"), tools = folder.name("tools");
     std::filesystem::create_directory(tools);
     // Films with a wrong second frame, or a wrong frame rate.
@@ -76,7 +77,7 @@ TEST_CASE("a film that does not show its frames is refused") {
                          "\nfilm=$1\nshift\n(cd \"$d\" && /usr/bin/apngasm film.png \"$@\")\n"
                          "cp \"$d/film.png\" \"$film\"\nrm -r \"$d\"\n");
         std::filesystem::permissions(tools + "/apngasm", std::filesystem::perms::owner_all);
-        const Outcome outcome =
+        const ProgramRun outcome =
             run_program(film_of({"--fps", "4", "-o", out}), {"PATH=" + tools + ":/usr/bin:/bin"});
         CHECK_THAT(outcome.out + outcome.err, Catch::Contains("read back, " + words));
         CHECK_FALSE(std::filesystem::exists(out + "/film.png"));
@@ -84,9 +85,9 @@ TEST_CASE("a film that does not show its frames is refused") {
 }
 
 TEST_CASE("without the program that makes films there are frames, and a sentence") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string out = folder.name("film");
-    const Outcome outcome = run_program(film_of({"-o", out}), {"PATH=" + folder.name("nothing")});
+    const ProgramRun outcome = run_program(film_of({"-o", out}), {"PATH=" + folder.name("nothing")});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     CHECK_THAT(outcome.out, Catch::Contains("no film: the program apngasm is not installed"));
@@ -98,7 +99,7 @@ TEST_CASE("without the program that makes films there are frames, and a sentence
 }
 
 TEST_CASE("an incomplete film keeps the old film and its frames") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string out = folder.name("film"),
                       path = "PATH=" + folder.name("bin") + ":" + std::getenv("PATH");
     REQUIRE(run_program(film_of({"--fps", "4", "-o", out})).code == 0);
@@ -112,7 +113,7 @@ TEST_CASE("an incomplete film keeps the old film and its frames") {
         const std::string fake =
             folder.write("bin/apngasm", "#!/bin/sh\n/usr/bin/apngasm \"$@\"\n" + then + "\n");
         std::filesystem::permissions(fake, std::filesystem::perms::owner_all);
-        const Outcome outcome =
+        const ProgramRun outcome =
             run_program(film_of({"--fps", "4", "-o", out, "--set", "coord_bits=12"}), {path});
         INFO(outcome.err);
         CHECK(outcome.code == 2);
@@ -142,7 +143,7 @@ TEST_CASE("times of frames are what --fps and --time say, and a second buffer dr
 }
 
 TEST_CASE("the report lists refitted and rebuilt trees of every frame") {
-    const Folder folder;
+    const TestFolder folder;
     // Strips that are first next to each other and then cross each other.
     std::ostringstream a, b, faces;
     for (int i = 0; i < 40; ++i) {
@@ -180,8 +181,8 @@ TEST_CASE("the report lists refitted and rebuilt trees of every frame") {
         CHECK(never[5]["host_cost"].get<double>() > 1.5);
         CHECK(never[5]["node_steps"].get<int>() > always[5]["node_steps"].get<int>());
     }
-    const Outcome said = run_program({"simulate", scene, "--frames", "2", "--fps", "2", "--size", "8x6",
-                                      "--no-reference", "--clock", "66"});
+    const ProgramRun said = run_program({"simulate", scene, "--frames", "2", "--fps", "2", "--size", "8x6",
+                                         "--no-reference", "--clock", "66"});
     CHECK_THAT(said.out, Catch::Contains("refitted") && Catch::Contains("refit or rebuild its trees"));
 }
 
@@ -197,7 +198,7 @@ TEST_CASE("illegal options of a film are refused") {
                                                    {{"--rebuild", "nan"}, {"--rebuild", "nan"}},
                                                    {{"--rebuild", "x"}, {"--rebuild", "x"}}};
     for (const auto& [options, words] : bad) check_refused(run_program(film_of(options)), words);
-    const Outcome still = run_program(
+    const ProgramRun still = run_program(
         {"simulate", "teapot:3", "--size", "8x6", "--frames", "2", "--fps", "5", "--no-reference"});
     CHECK(still.code == 0);
     CHECK_THAT(still.err, Catch::Contains("nothing moves in this scene"));
@@ -209,7 +210,7 @@ namespace {
 json film_report(Words more) {
     more.insert(more.begin(), "simulate");
     more.insert(more.end(), {"--size", "320x256", "--no-reference", "--clock", "66", "--json", "-"});
-    const Outcome outcome = run_program(more);
+    const ProgramRun outcome = run_program(more);
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     return json::parse(outcome.out);

@@ -15,7 +15,7 @@ namespace {
 json simulate(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "simulate");
     for (const char* more : {"--size", "48x36", "--clock", "66", "--json", "-"}) arguments.emplace_back(more);
-    const Outcome outcome = run_program(arguments);
+    const ProgramRun outcome = run_program(arguments);
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     return json::parse(outcome.out);
@@ -53,7 +53,7 @@ TEST_CASE("illegal options of finished pictures are refused") {
 }
 
 TEST_CASE("a machine without the units that a scene needs refuses it by name") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string glass = folder.write(
         "glass.json", sphere_scene(ball, R"("colour":[1,1,1],"transmit":0.9,"index":1.5)", "[0,0,3]", lamp));
     check_refused(run_program({"simulate", glass, "--set", "shading=1"}), {"spheres"});
@@ -93,7 +93,7 @@ TEST_CASE("odd but sound scenes are drawn, and the reference agrees") {
             sphere_scene(ball, R"("colour":[0,0,0],"ambient":0,"diffuse":0,"mirror":1)", "[0,0,3]", lamp),
             35});
     INFO(odd.what);
-    const Folder folder;
+    const TestFolder folder;
     const json report = simulate({folder.write("odd.json", odd.scene), "--depth", "4"});
     CHECK(report["rays"]["primary"] == 48 * 36);
     const json& psnr = report["error"]["psnr_db"];

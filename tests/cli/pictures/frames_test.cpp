@@ -12,7 +12,7 @@ namespace {
 
 json report_of(std::vector<std::string> arguments) {
     arguments.insert(arguments.end(), {"--json", "-"});
-    const Outcome outcome = run_program(arguments);
+    const ProgramRun outcome = run_program(arguments);
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     return json::parse(outcome.out);
@@ -58,7 +58,7 @@ TEST_CASE("the RTL makes several frames as the model does") {
 }
 
 TEST_CASE("a sweep gives the figures of single simulations") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string table = folder.name("sweep.csv");
     const json report = report_of({"sweep", "tetra:4", "--size", "64x48", "--axis", "node_sets=1,64",
                                    "--axis", "clock=33,200", "--no-netlist", "-o", table});
@@ -71,7 +71,7 @@ TEST_CASE("a sweep gives the figures of single simulations") {
                                        "--clock", clock, "--no-reference"});
         CHECK(point["clock"] == single["clocks"][0]);
     }
-    const std::string csv = bytes_of(table);
+    const std::string csv = content_of(table);
     CHECK(csv.starts_with("node_sets,clock,cycles,fps,"));
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 5);
 }
@@ -92,15 +92,15 @@ TEST_CASE("Ctrl-C gives a valid report that is marked as partial") {
     for (const auto& [engine, scene, size, clock, pixels] :
          {Run{"model", "rings:3", "2048x1536", "66", 2048 * 1536},
           Run{"rtl", "rings:2", "768x576", "66,90", 768 * 576}}) {
-        const Folder folder;
+        const TestFolder folder;
         const std::string file = folder.name("report.json");
-        const Outcome outcome = run_and_interrupt({"simulate", scene, "--size", size, "--clock", clock,
-                                                   "--engine", engine, "--no-reference", "--json", file},
-                                                  2500);
+        const ProgramRun outcome = run_and_interrupt({"simulate", scene, "--size", size, "--clock", clock,
+                                                      "--engine", engine, "--no-reference", "--json", file},
+                                                     2500);
         INFO(engine << ": " << outcome.out << outcome.err);
         REQUIRE(outcome.code == 1);
         CHECK(outcome.out.find("PARTIAL") != std::string::npos);
-        const json report = json::parse(bytes_of(file));
+        const json report = json::parse(content_of(file));
         CHECK(report["partial"] == true);
         CHECK(report["rays"]["primary"] < pixels);
         for (const auto& [name, unit] : report["units"].items()) {

@@ -10,15 +10,15 @@ using nlohmann::json;
 
 namespace {
 
-Outcome drawn(std::vector<std::string> more) {
-    static const Folder folder;
+ProgramRun drawn(std::vector<std::string> more) {
+    static const TestFolder folder;
     more.insert(more.begin(), {"render", "--size", "32x24", "-o", folder.name("a.png")});
     return run_program(more);
 }
 
 json report(std::vector<std::string> more) {
     more.insert(more.end(), {"--json", "-"});
-    const Outcome outcome = drawn(more);
+    const ProgramRun outcome = drawn(more);
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     return json::parse(outcome.out);
@@ -37,14 +37,14 @@ TEST_CASE("a machine of two levels keeps each mesh once") {
 }
 
 TEST_CASE("planes and true spheres of a scene are drawn in two levels as in one") {
-    const Folder folder;
+    const TestFolder folder;
     const auto picture = [&](const std::string& levels) {
         const std::string file = folder.name("levels" + levels + ".png");
-        const Outcome outcome =
+        const ProgramRun outcome =
             run_program({"render", "spheres", "--size", "32x24", "--set", "levels=" + levels, "-o", file});
         INFO(outcome.err);
         REQUIRE(outcome.code == 0);
-        return bytes_of(file);
+        return content_of(file);
     };
     CHECK(picture("2") == picture("1"));
 }

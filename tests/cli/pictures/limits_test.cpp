@@ -16,7 +16,7 @@ const std::vector<std::string> frame{"rings:3", "--size", "24x18"};
 const std::string sentence =
     "FAR FROM THE REFERENCE: 3.24 % of the pixels hold another primitive (limit 1 %, --max-other)";
 
-Outcome run(const std::string& command, std::vector<std::string> more) {
+ProgramRun run(const std::string& command, std::vector<std::string> more) {
     std::vector<std::string> arguments{command};
     arguments.insert(arguments.end(), frame.begin(), frame.end());
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -40,7 +40,7 @@ TEST_CASE("verify fails beyond a limit, also beyond one that was not typed") {
             {"--max-other", "3.2%", "--min-psnr", "200"},
             "FAR FROM THE REFERENCE: 3.24 % of the pixels hold another primitive (limit 3.2 %, --max-other); "
             "PSNR 76.2 dB (limit 200 dB, --min-psnr)"});
-    const Outcome outcome = run("verify", typed.limits);
+    const ProgramRun outcome = run("verify", typed.limits);
     INFO(outcome.out);
     CHECK(outcome.code == (typed.sentence.empty() ? 0 : 1));
     CHECK(has(outcome.out, "FAR") == !typed.sentence.empty());
@@ -51,7 +51,7 @@ TEST_CASE("verify fails beyond a limit, also beyond one that was not typed") {
 }
 
 TEST_CASE("all commands that compare begin with the same sentence") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string picture = folder.name("p.png"), report = folder.name("r.json"),
                       page = folder.name("r.html");
     struct Command {
@@ -65,39 +65,39 @@ TEST_CASE("all commands that compare begin with the same sentence") {
     if (command.name == "render") more.insert(more.end(), {"-o", picture});
     more.insert(more.end(), {"--json", report});
     if (command.name != "render") more.insert(more.end(), {"--report", page});
-    const Outcome far = run(command.name, more);
+    const ProgramRun far = run(command.name, more);
     INFO(command.name << far.out << far.err);
     CHECK(far.code == 0);
     CHECK(begins(far.out, sentence));
-    const auto limits = nlohmann::json::parse(bytes_of(report)).at("limits");
+    const auto limits = nlohmann::json::parse(content_of(report)).at("limits");
     CHECK(limits.at("far") == true);
     CHECK(begins(limits.at("sentence").get<std::string>(), sentence));
-    if (command.name != "render") CHECK(has(bytes_of(page), "<header><p class=\"far\">" + sentence));
+    if (command.name != "render") CHECK(has(content_of(page), "<header><p class=\"far\">" + sentence));
 
     more.insert(more.end(), {"--max-other", "4%"});
-    const Outcome within = run(command.name, more);
+    const ProgramRun within = run(command.name, more);
     CHECK(within.code == 0);
     CHECK(!has(within.out, "FAR"));
-    CHECK(nlohmann::json::parse(bytes_of(report)).at("limits").at("sentence").is_null());
-    if (command.name != "render") CHECK(!has(bytes_of(page), "class=\"far\""));
+    CHECK(nlohmann::json::parse(content_of(report)).at("limits").at("sentence").is_null());
+    if (command.name != "render") CHECK(!has(content_of(page), "class=\"far\""));
 }
 
 TEST_CASE("a sweep says which of its points is farthest, and which points are far") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string report = folder.name("r.json");
-    const Outcome swept = run_program({"sweep", "tetra:2", "--size", "24x18", "--axis", "contexts=8,16",
-                                       "--axis", "coord_bits=12,18", "--no-netlist", "--clock", "66",
-                                       "--max-depth-error", "0.01%", "--json", report});
+    const ProgramRun swept = run_program({"sweep", "tetra:2", "--size", "24x18", "--axis", "contexts=8,16",
+                                          "--axis", "coord_bits=12,18", "--no-netlist", "--clock", "66",
+                                          "--max-depth-error", "0.01%", "--json", report});
     INFO(swept.out << swept.err);
     CHECK(begins(swept.out, "FAR FROM THE REFERENCE: a pixel's depth is off by "));
     CHECK(has(swept.out,
               "(limit 0.01 %, --max-depth-error) (contexts 8, coord_bits 12; 2 of 4 points are far)"));
-    CHECK(nlohmann::json::parse(bytes_of(report)).at("limits").at("points") ==
+    CHECK(nlohmann::json::parse(content_of(report)).at("limits").at("points") ==
           nlohmann::json{true, false, true, false});
 }
 
 TEST_CASE("every frame of a film is held against the limits, and the farthest is named") {
-    const Folder folder;
+    const TestFolder folder;
     // The last frame shows only background and equals the reference's.
     const std::vector<std::string> frames{"--frames", "3", "--pan", "90"};
     const std::string told = sentence + " (frame 1; 1 of 3 frames are far)";
@@ -106,33 +106,33 @@ TEST_CASE("every frame of a film is held against the limits, and the farthest is
     const std::string report = folder.name("r.json");
     more.insert(more.end(), {"--json", report});
     if (std::string(command) == "render") more.insert(more.end(), {"--compare", "-o", folder.name("film")});
-    const Outcome far = run(command, more);
+    const ProgramRun far = run(command, more);
     INFO(command << far.out << far.err);
     CHECK(far.code == (std::string(command) == "verify" ? 1 : 0));
     CHECK(begins(far.out, told + "\n"));
-    const auto limits = nlohmann::json::parse(bytes_of(report)).at("limits");
+    const auto limits = nlohmann::json::parse(content_of(report)).at("limits");
     CHECK(limits.at("sentence") == told);
     CHECK(limits.at("beyond_other") == true);
     more.insert(more.end(), {"--max-other", "4%"});
     if (std::string(command) == "render") more[more.size() - 3] = folder.name("other");
-    const Outcome within = run(command, more);
+    const ProgramRun within = run(command, more);
     INFO(within.out << within.err);
     CHECK(within.code == 0);
     CHECK(!has(within.out, "FAR"));
 }
 
 TEST_CASE("compare says which of its reports are far from the reference") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string a = folder.name("a.json"), b = folder.name("b.json"), page = folder.name("page.html"),
                       json = folder.name("c.json");
     REQUIRE(run("simulate", {"--json", a}).code == 0);
     REQUIRE(run("simulate", {"--json", b, "--max-other", "4%"}).code == 0);
     const std::string told = sentence + " (A: " + a + ")";
-    const Outcome both = run_program({"compare", a, b, "--report", page, "--json", json});
+    const ProgramRun both = run_program({"compare", a, b, "--report", page, "--json", json});
     INFO(both.out << both.err);
     CHECK(begins(both.out, told + "\n"));
-    CHECK(has(bytes_of(page), "<p class=\"far\">" + told + "</p>"));
-    CHECK(nlohmann::json::parse(bytes_of(json)).at("far") == nlohmann::json{told, nullptr});
+    CHECK(has(content_of(page), "<p class=\"far\">" + told + "</p>"));
+    CHECK(nlohmann::json::parse(content_of(json)).at("far") == nlohmann::json{told, nullptr});
     CHECK(!has(run_program({"compare", b, b}).out, "FAR"));
 }
 
@@ -140,7 +140,7 @@ TEST_CASE("a depth that is far off is reported, and has a separate limit") {
     // The eye is as close to the surface as the lattice is coarse.
     std::vector<std::string> close{"simulate", "square",       "--size", "24x18",
                                    "--eye",    "0,0,0.000006", "--at",   "0,0,-1"};
-    const Outcome far = run_program(close);
+    const ProgramRun far = run_program(close);
     CHECK(far.code == 0);
     CHECK(begins(far.out,
                  "FAR FROM THE REFERENCE: a pixel's depth is off by 26.7 % (limit 1 %, --max-depth-error)"));
@@ -151,7 +151,7 @@ TEST_CASE("a depth that is far off is reported, and has a separate limit") {
 }
 
 TEST_CASE("the report has the limits and what is beyond them") {
-    const Outcome outcome = run(
+    const ProgramRun outcome = run(
         "verify", {"--min-psnr", "200", "--max-other", "3.3%", "--max-depth-error", "200%", "--json", "-"});
     CHECK(outcome.code == 1);
     const auto report = nlohmann::json::parse(outcome.out);

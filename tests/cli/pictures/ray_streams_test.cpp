@@ -18,7 +18,7 @@ namespace {
 
 json report(std::vector<std::string> command) {
     command.insert(command.end(), {"--json", "-"});
-    const Outcome outcome = run_program(command);
+    const ProgramRun outcome = run_program(command);
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     return json::parse(outcome.out);
@@ -27,7 +27,7 @@ json report(std::vector<std::string> command) {
 }   // namespace
 
 TEST_CASE("rays are made, traced in lockstep and judged", "[rays]") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string rays = folder.name("rays.npy"), hits = folder.name("hits.npy");
     for (const std::string kind : {"camera", "shadow", "mirror", "ao", "diffuse"}) {
         INFO(kind);
@@ -40,7 +40,7 @@ TEST_CASE("rays are made, traced in lockstep and judged", "[rays]") {
         CHECK(traced["value_mismatches"] == 0);
         CHECK(traced["judge"]["wrong"] == 0);
         CHECK(traced["judge"]["rays"] == made["rays"]);
-        const std::string bytes = bytes_of(hits);
+        const std::string bytes = content_of(hits);
         CHECK(bytes.find("('primitive', '<u4')") != std::string::npos);
         CHECK(bytes.size() == 256 + 42 * made["rays"].get<std::size_t>());
         CHECK(report({"simulate", "gears:1", "--rays", rays, "--clock", "66"})["clocks"][0]["cycles"] ==
@@ -55,7 +55,7 @@ TEST_CASE("rays are made, traced in lockstep and judged", "[rays]") {
 }
 
 TEST_CASE("every point of a sweep with a stream has the cycles of simulate", "[rays]") {
-    const Folder folder;
+    const TestFolder folder;
     const std::vector<std::string> cache{"RAYCLOCK_CACHE=" + folder.name("cache")};
     const std::string rays = folder.name("rays.npy"), csv = folder.name("sweep.csv");
     report({"rays", "gears:1", "--kind", "diffuse", "--size", "24x18", "-o", rays});
@@ -64,7 +64,7 @@ TEST_CASE("every point of a sweep with a stream has the cycles of simulate", "[r
                                         "--axis", "clock=66,200",   "--no-netlist"};
     const auto run = [&](std::vector<std::string> more) {
         more.insert(more.begin(), grid.begin(), grid.end());
-        const Outcome outcome = run_program(more, cache);
+        const ProgramRun outcome = run_program(more, cache);
         INFO(outcome.err);
         REQUIRE(outcome.code == 0);
         return outcome.out;
@@ -89,7 +89,7 @@ TEST_CASE("every point of a sweep with a stream has the cycles of simulate", "[r
         CHECK(point["error"].is_null());
         CHECK(point["cracks"].is_null());
     }
-    const std::string head = bytes_of(csv).substr(0, bytes_of(csv).find('\n'));
+    const std::string head = content_of(csv).substr(0, content_of(csv).find('\n'));
     CHECK_THAT(head, Catch::EndsWith(",mrays_per_s,cycles_half_width"));
 
     // Cached figures serve the same rays, but not the same rays for any hit.
@@ -100,7 +100,7 @@ TEST_CASE("every point of a sweep with a stream has the cycles of simulate", "[r
     const std::string one = folder.name("1.json"), two = folder.name("2.json");
     run({"--shard", "1/2", "--json", one});
     run({"--shard", "2/2", "--json", two});
-    const Outcome merged = run_program({"merge", two, one, "--json", "-"});
+    const ProgramRun merged = run_program({"merge", two, one, "--json", "-"});
     INFO(merged.err);
     REQUIRE(merged.code == 0);
     CHECK(json::parse(merged.out)["points"] == swept["points"]);
@@ -109,14 +109,14 @@ TEST_CASE("every point of a sweep with a stream has the cycles of simulate", "[r
 }
 
 TEST_CASE("explain follows a stream's ray until its answer leaves the chip", "[rays]") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string rays = folder.name("rays.npy"), hits = folder.name("hits.npy"),
                       page = folder.name("ray.html");
     for (const std::string kind : {"diffuse", "ao"}) {
         const std::size_t count =
             report({"rays", "gears:1", "--kind", kind, "--size", "24x18", "-o", rays})["rays"];
         report({"simulate", "gears:1", "--rays", rays, "--clock", "66", "--hits", hits});
-        const std::string bytes = bytes_of(hits);
+        const std::string bytes = content_of(hits);
         for (const std::size_t ray : {std::size_t(0), std::size_t(17), count - 1}) {
             INFO(kind << " ray " << ray);
             const json told = report({"explain", "gears:1", "--rays", rays, "--ray", std::to_string(ray)});
@@ -144,11 +144,11 @@ TEST_CASE("explain follows a stream's ray until its answer leaves the chip", "[r
         }
     }
     REQUIRE(run_program({"explain", "gears:1", "--rays", rays, "--ray", "3", "--report", page}).code == 0);
-    CHECK(bytes_of(page).find("<title>Ray 3 of gears:1 on default") != std::string::npos);
+    CHECK(content_of(page).find("<title>Ray 3 of gears:1 on default") != std::string::npos);
 }
 
 TEST_CASE("render answers a stream with each engine, without timing", "[rays]") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string rays = folder.name("rays.npy"), hits = folder.name("hits.npy");
     const std::size_t count =
         report({"rays", "gears:1", "--kind", "camera", "--size", "24x18", "-o", rays})["rays"];
@@ -157,16 +157,16 @@ TEST_CASE("render answers a stream with each engine, without timing", "[rays]") 
         for (std::size_t i = 0; i < count; ++i) std::fill_n(bytes.end() - long(42 * i) - 8, 8, '\0');
         return bytes;
     };
-    const std::string simulated = without_cycles(bytes_of(hits));
-    CHECK(simulated != bytes_of(hits));
+    const std::string simulated = without_cycles(content_of(hits));
+    CHECK(simulated != content_of(hits));
     for (const std::string engine : {"model", "rtl"}) {
         const json told = report({"render", "gears:1", "--rays", rays, "--engine", engine, "--hits", hits});
-        CHECK(bytes_of(hits) == simulated);
+        CHECK(content_of(hits) == simulated);
         CHECK(told["stream"]["rays"] == count);
         CHECK(told["stream"]["hits"].get<std::size_t>() > count / 8);
     }
     report({"render", "gears:1", "--rays", rays, "--engine", "reference", "--hits", hits});
-    const std::string reference = bytes_of(hits);
+    const std::string reference = content_of(hits);
     REQUIRE(reference.size() == simulated.size());
     std::size_t other = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -182,7 +182,7 @@ TEST_CASE("render answers a stream with each engine, without timing", "[rays]") 
 }
 
 TEST_CASE("the reference's answers to rays for any hit within a radius are those of the model", "[rays]") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string rays = folder.name("rays.npy"), hits = folder.name("hits.npy");
     report({"rays", "gears:1", "--kind", "ao", "--radius", "1", "--size", "24x18", "-o", rays});
     const auto hit_count = [&](const char* engine) {
@@ -195,7 +195,7 @@ TEST_CASE("the reference's answers to rays for any hit within a radius are those
 }
 
 TEST_CASE("stress runs a stream on random chips in lockstep", "[rays]") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string rays = folder.name("rays.npy");
     report({"rays", "tetra:1", "--kind", "camera", "--size", "6x4", "-o", rays});
     const json told = report({"stress", "tetra:1", "--rays", rays, "--chips", "1", "--seed", "4"});
@@ -213,11 +213,11 @@ TEST_CASE("stress runs a stream on random chips in lockstep", "[rays]") {
 }
 
 TEST_CASE("options that a stream cannot use are refused", "[rays]") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string rays = folder.name("rays.npy");
     REQUIRE(run_program({"rays", "gears:1", "--size", "4x3", "-o", rays}).code == 0);
     const auto refused = [&](std::vector<std::string> more) {
-        const Outcome outcome = run_program(more);
+        const ProgramRun outcome = run_program(more);
         CHECK(outcome.code == 2);
         return outcome.err;
     };
@@ -287,7 +287,7 @@ TEST_CASE("options that a stream cannot use are refused", "[rays]") {
     says({"stress", "gears:1"}, "only with --rays FILE");
     says({"stress", "gears:1", "--rays", rays, "--bits", "14"}, "so --bits has no meaning here");
     says({"stress", "--any-hit"}, "--any-hit needs --rays");
-    const Outcome idle = run_program({"simulate", "gears:1", "--rays", rays, "--set", "surf_sets=8"});
+    const ProgramRun idle = run_program({"simulate", "gears:1", "--rays", rays, "--set", "surf_sets=8"});
     CHECK(idle.code == 0);
     CHECK(idle.err.find("surf_sets has no effect with source=stream") != std::string::npos);
     CHECK(run_program({"simulate", "gears:1", "--rays", rays, "--set", "coord_bits=20"}).code == 0);

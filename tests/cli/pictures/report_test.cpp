@@ -98,7 +98,7 @@ void check_causes(const json& error) {
     CHECK(error["oracle"]["wrong"] == 0);
 }
 
-json parsed(const Outcome& outcome) {
+json parsed(const ProgramRun& outcome) {
     INFO(outcome.err);
     CHECK((outcome.err.empty() || (outcome.err.starts_with("rayclock: building ") &&
                                    outcome.err.find('\n') == outcome.err.size() - 1)));
@@ -111,7 +111,7 @@ json parsed(const Outcome& outcome) {
 TEST_CASE("simulate reports every key, on both engines alike") {
     const std::vector<std::string> arguments{"simulate", "teapot:3", "--size", "24x18",
                                              "--clock",  "66,90.5",  "--json", "-"};
-    const Outcome model = run_program(arguments);
+    const ProgramRun model = run_program(arguments);
     CHECK(model.code == 0);
     json report = parsed(model);
     check_shared(report);
@@ -156,14 +156,14 @@ TEST_CASE("simulate reports every key, on both engines alike") {
 }
 
 TEST_CASE("verify reports every key and says so in words") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string file = folder.name("report.json"), pictures = folder.name("pictures");
-    const Outcome outcome =
+    const ProgramRun outcome =
         run_program({"verify", "teapot:3", "--size", "24x18", "--json", file, "-o", pictures});
     INFO(outcome.out << outcome.err);
     CHECK(outcome.code == 0);
     CHECK(outcome.out.find("VERIFIED") != std::string::npos);
-    const json report = json::parse(bytes_of(file));
+    const json report = json::parse(content_of(file));
     check_shared(report);
     check_keys(report, {{"pixels", "number"},
                         {"events_compared", "number"},
@@ -187,7 +187,7 @@ TEST_CASE("verify reports every key and says so in words") {
 }
 
 TEST_CASE("verify compares with the golden picture where there is one") {
-    const Outcome outcome = run_program({"verify", "cornell", "--size", "16x12", "--json", "-"});
+    const ProgramRun outcome = run_program({"verify", "cornell", "--size", "16x12", "--json", "-"});
     CHECK(outcome.code == 0);
     const json report = parsed(outcome);
     check_keys(report, {{"golden.within", "boolean"}});
@@ -195,7 +195,7 @@ TEST_CASE("verify compares with the golden picture where there is one") {
 }
 
 TEST_CASE("with --json - JSON is printed and nothing else") {
-    const Folder folder;
+    const TestFolder folder;
     for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
              {"scenes"},
              {"doctor"},
@@ -213,14 +213,14 @@ TEST_CASE("with --json - JSON is printed and nothing else") {
 }
 
 TEST_CASE("every command has help with an example") {
-    const Outcome whole = run_program({"--help"});
+    const ProgramRun whole = run_program({"--help"});
     CHECK(whole.code == 0);
     CHECK(whole.err.empty());
     for (const std::string command :
          {"scenes", "config", "render", "simulate", "explain", "trace", "compare", "sweep", "merge", "fit",
           "rtl", "export", "chip", "verify", "stress", "bench", "doctor"}) {
         CHECK(whole.out.find("\n  " + command + " ") != std::string::npos);
-        const Outcome help = run_program({command, "--help"});
+        const ProgramRun help = run_program({command, "--help"});
         INFO(help.out);
         CHECK(help.code == 0);
         CHECK(help.err.empty());
@@ -230,24 +230,24 @@ TEST_CASE("every command has help with an example") {
 }
 
 TEST_CASE("render replaces its output file and writes no other file") {
-    const Folder folder;
+    const TestFolder folder;
     for (const std::string engine : {"reference", "model", "rtl"})
         for (const std::string ending : {".png", ".exr"}) {
             const std::string file = folder.write(engine + ending, "here before");
-            const Outcome outcome =
+            const ProgramRun outcome =
                 run_program({"render", "teapot:3", "--size", "24x18", "--engine", engine, "-o", file});
             INFO(outcome.err);
             CHECK(outcome.code == 0);
             CHECK(outcome.err.empty());
-            CHECK(bytes_of(file).substr(0, 4) == (ending == ".png" ? "\x89PNG" : "\x76\x2f\x31\x01"));
+            CHECK(content_of(file).substr(0, 4) == (ending == ".png" ? "\x89PNG" : "\x76\x2f\x31\x01"));
         }
     CHECK(folder.contents().size() == 6);
     CHECK(folder.contents()["model.png"] == folder.contents()["rtl.png"]);
 }
 
 TEST_CASE("a printed configuration can be given back, and gives the same frame") {
-    const Folder folder;
-    const Outcome printed = run_program({"config", "small", "--set", "contexts=8"});
+    const TestFolder folder;
+    const ProgramRun printed = run_program({"config", "small", "--set", "contexts=8"});
     CHECK(printed.code == 0);
     const std::string file = folder.write("mine.json", printed.out);
     const json a =

@@ -14,7 +14,7 @@ namespace {
 json simulated(std::vector<std::string> more) {
     more.insert(more.begin(),
                 {"simulate", "gears:2", "--size", "32x24", "--clock", "66", "--no-judge", "--json", "-"});
-    const Outcome outcome = run_program(more);
+    const ProgramRun outcome = run_program(more);
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     return json::parse(outcome.out);
@@ -49,11 +49,11 @@ TEST_CASE("a view is the scene's own except for the given options") {
 }
 
 TEST_CASE("every command that draws a scene takes a view, and the machine is still right") {
-    const Folder folder;
+    const TestFolder folder;
     const std::vector<std::string> view{"--orbit", "50", "--size", "24x18"};
     const auto runs = [&](std::vector<std::string> arguments) {
         arguments.insert(arguments.end(), view.begin(), view.end());
-        const Outcome outcome = run_program(arguments);
+        const ProgramRun outcome = run_program(arguments);
         INFO(outcome.err);
         CHECK(outcome.code == 0);
     };
@@ -69,7 +69,7 @@ TEST_CASE("a ground is two triangles of the scene that is drawn, and the camera 
     CHECK(ground["camera"] == own["camera"]);
     CHECK(ground["scene"]["triangles"].get<int>() == own["scene"]["triangles"].get<int>() + 2);
     CHECK(ground["digest"] != own["digest"]);
-    const Outcome finished = run_program(
+    const ProgramRun finished = run_program(
         {"simulate", "balls:1", "--ground", "--depth", "2", "--size", "24x18", "--clock", "66"});   // judged
     INFO(finished.err);
     CHECK(finished.code == 0);
@@ -110,8 +110,9 @@ TEST_CASE("a part of a picture can be given by two corners, or by the cycles in 
     CHECK(part["frame"] == json{{"width", 12}, {"height", 9}});
 
     const auto verified = [](const std::string& option, const std::string& value) {
-        const Outcome outcome = run_program({"verify", "gears:1", "--size", "48x32", "--set", "tile_bits=2",
-                                             "--set", "contexts=16", option, value, "--json", "-"});
+        const ProgramRun outcome =
+            run_program({"verify", "gears:1", "--size", "48x32", "--set", "tile_bits=2", "--set",
+                         "contexts=16", option, value, "--json", "-"});
         INFO(outcome.err);
         REQUIRE(outcome.code == 0);
         return json::parse(outcome.out);
@@ -149,8 +150,8 @@ TEST_CASE("a part of a picture can be given by two corners, or by the cycles in 
 
 TEST_CASE("a part of a picture is judged with the texture levels of the whole picture") {
     // Light that falls through leaves: with the levels of a picture of 20 rows, two of these pixels are bugs.
-    const Outcome outcome = run_program({"simulate", "room", "--depth", "2", "--size", "1024x768", "--pixels",
-                                         "256,700,256x20", "--clock", "66", "--json", "-"});
+    const ProgramRun outcome = run_program({"simulate", "room", "--depth", "2", "--size", "1024x768",
+                                            "--pixels", "256,700,256x20", "--clock", "66", "--json", "-"});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     const json report = json::parse(outcome.out);

@@ -26,7 +26,7 @@ bool is_installed(const std::string& program) {
     return std::system(("PATH=$PATH:/usr/sbin command -v " + program + " > /dev/null 2>&1").c_str()) == 0;
 }
 
-std::string shown(const Folder& folder, const std::string& page, const std::string& script) {
+std::string shown(const TestFolder& folder, const std::string& page, const std::string& script) {
     const std::string file = folder.write(
         "shown.html",
         page + "<script>async function tested() {\n" + script +
@@ -41,16 +41,16 @@ std::string shown(const Folder& folder, const std::string& page, const std::stri
                                 "' --enable-logging=stderr --virtual-time-budget=20000 --dump-dom 'file://" +
                                 file + "' > '" + folder.name("dom") + "' 2> '" + folder.name("log") + "'";
     CHECK(std::system(command.c_str()) == 0);
-    const std::string log = bytes_of(folder.name("log"));
+    const std::string log = content_of(folder.name("log"));
     INFO(log);
     CHECK(log.find("CONSOLE") == log.npos);
-    const std::string dom = bytes_of(folder.name("dom")), head = "<title>answer ";
+    const std::string dom = content_of(folder.name("dom")), head = "<title>answer ";
     const std::size_t begin = dom.find(head);
     REQUIRE(begin != dom.npos);
     return dom.substr(begin + head.size(), dom.find("</title>") - begin - head.size());
 }
 
-PageTimes time_to_open(const Folder& folder, const std::string& page) {
+PageTimes time_to_open(const TestFolder& folder, const std::string& page) {
     const std::string word = "opened after ";
     const std::string file = folder.write(
         "opened.html", page +
@@ -66,7 +66,7 @@ PageTimes time_to_open(const Folder& folder, const std::string& page) {
         "' & browser=$!; for i in $(seq 300); do grep -q '" + word + "' '" + log +
         "' && break; sleep 0.1; done; kill $browser; wait $browser 2> /dev/null; true";
     CHECK(std::system(command.c_str()) == 0);
-    const std::string said = bytes_of(log);
+    const std::string said = content_of(log);
     INFO(said);
     const std::size_t at = said.find(word);
     REQUIRE(at != said.npos);

@@ -14,7 +14,7 @@ std::size_t count(const std::string& text, const std::string& what);
 bool is_installed(const std::string& program);
 
 /// Returns the output of a script after the page is shown; empty without a browser.
-std::string shown(const Folder& folder, const std::string& page, const std::string& script);
+std::string shown(const TestFolder& folder, const std::string& page, const std::string& script);
 
 /// Times in milliseconds from the start of a page.
 struct PageTimes {
@@ -23,7 +23,7 @@ struct PageTimes {
 };
 /// Measures these times without an added script, with the browser's real clock. In shown() the clock stops
 /// while scripts run.
-PageTimes time_to_open(const Folder& folder, const std::string& page);
+PageTimes time_to_open(const TestFolder& folder, const std::string& page);
 
 /// Requires that the page needs no other file, and has tables that need no script.
 void check_alone(const std::string& page);

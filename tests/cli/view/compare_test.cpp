@@ -10,7 +10,7 @@ using nlohmann::json;
 
 namespace {
 
-std::string report(const Folder& folder, const char* name, const std::vector<std::string>& more) {
+std::string report(const TestFolder& folder, const char* name, const std::vector<std::string>& more) {
     std::vector<std::string> arguments{"simulate", "gears:2", "--size", "40x30",
                                        "--clock",  "66,200",  "--json", folder.name(name)};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -21,7 +21,7 @@ std::string report(const Folder& folder, const char* name, const std::vector<std
 json compared(std::vector<std::string> arguments, int code) {
     arguments.insert(arguments.begin(), "compare");
     arguments.insert(arguments.end(), {"--json", "-"});
-    const Outcome outcome = run_program(arguments);
+    const ProgramRun outcome = run_program(arguments);
     INFO(outcome.err);
     REQUIRE(outcome.code == code);
     return json::parse(outcome.out);
@@ -40,7 +40,7 @@ int rank_of(const std::string& figure, const json& verdict) {
 }   // namespace
 
 TEST_CASE("compare finds what changed, says which way, and fails beyond a bound") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string a = report(folder, "a.json", {}), again = report(folder, "again.json", {}),
                       b = report(folder, "b.json", {"--set", "node_sets=1", "--set", "contexts=32"});
     const json same = compared({a, again, "--max-worse", "0%"}, 0);
@@ -51,7 +51,7 @@ TEST_CASE("compare finds what changed, says which way, and fails beyond a bound"
     const json worse = compared({a, b, "--max-worse", "1%"}, 1);
     CHECK(worse["settings"].size() == 3);   // and the bound at 66 MHz
     CHECK(worse["settings"][1] == json{{"key", "config.contexts"}, {"values", {"64", "32"}}});
-    const json first = json::parse(bytes_of(a)), second = json::parse(bytes_of(b));
+    const json first = json::parse(content_of(a)), second = json::parse(content_of(b));
     bool found = false;
     std::pair<int, double> last{0, -1e300};
     for (const json& d : worse["differences"]) {
@@ -80,7 +80,7 @@ TEST_CASE("compare finds what changed, says which way, and fails beyond a bound"
     compared({a, b, "--max-worse", "99%", "--figure", "clocks.66.fps"}, 0);
     compared({a, b, "--max-worse", "0%", "--figure", "clocks.66.fps"}, 1);
 
-    const Outcome text = run_program({"compare", a, b});
+    const ProgramRun text = run_program({"compare", a, b});
     CHECK(text.code == 0);
     for (const char* words : {"config.node_sets", "clocks.66.cycles", "worse", "--all prints the rest"}) {
         INFO(words);
@@ -90,7 +90,7 @@ TEST_CASE("compare finds what changed, says which way, and fails beyond a bound"
 }
 
 TEST_CASE("compare refuses a file that is not a report") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string a = report(folder, "a.json", {"--no-reference"}),
                       empty = folder.write("empty.json", "{}"), broken = folder.write("broken.json", "{"),
                       list = folder.write("list.json", "[1]");
@@ -99,7 +99,7 @@ TEST_CASE("compare refuses a file that is not a report") {
     check_refused(run_program({"compare", a, list}), {"list.json", "not a report"});
     check_refused(run_program({"compare", a, broken}), {"broken.json"});
     const auto changed = [&](const char* pointer, const json& value) {   // as another version might write it
-        json other = json::parse(bytes_of(a));
+        json other = json::parse(content_of(a));
         other[json::json_pointer(pointer)] = value;
         return folder.write("other.json", other.dump());
     };

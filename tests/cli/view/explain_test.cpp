@@ -14,7 +14,7 @@ json explained(const std::vector<std::string>& more) {
     std::vector<std::string> arguments{"explain"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     arguments.insert(arguments.end(), {"--json", "-"});
-    const Outcome outcome = run_program(arguments);
+    const ProgramRun outcome = run_program(arguments);
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     return json::parse(outcome.out);
@@ -84,7 +84,7 @@ TEST_CASE("explain counts look-ups that requested a line, and those that found t
 }
 
 TEST_CASE("the mean that explain reports is the frame's") {
-    const Outcome frame = run_program(
+    const ProgramRun frame = run_program(
         {"simulate", "gears:2", "--size", "40x30", "--clock", "66", "--no-reference", "--json", "-"});
     const json report = json::parse(frame.out);
     const json pixel = explained({"gears:2", "3,4", "--size", "40x30", "--no-reference"});
@@ -96,7 +96,7 @@ TEST_CASE("the mean that explain reports is the frame's") {
 }
 
 TEST_CASE("explain prints its steps as text") {
-    const Outcome text = run_program({"explain", "gears:2", "20,14", "--size", "40x30", "--steps"});
+    const ProgramRun text = run_program({"explain", "gears:2", "20,14", "--size", "40x30", "--steps"});
     CHECK(text.code == 0);
     for (const char* words : {"pixel (20, 14):", "alone on the chip", "times the mean", "where it was",
                               "what the cycles were for", "ray 0, camera", "boxes met", "why: "}) {

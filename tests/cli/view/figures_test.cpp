@@ -12,14 +12,14 @@ using namespace rayclock::test;
 using nlohmann::json;
 
 TEST_CASE("the page of figures shows every picture and every number") {
-    const Folder folder;
-    const Outcome outcome =
+    const TestFolder folder;
+    const ProgramRun outcome =
         run_program({"study", "figures", "-o", folder.name("page"), "--size", "32x24", "--engine",
                      "reference,model", "--json", folder.name("numbers.json")});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     CHECK(outcome.err.empty());
-    const std::string page = bytes_of(folder.name("page/figures.md"));
+    const std::string page = content_of(folder.name("page/figures.md"));
     std::size_t pictures = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder.name("page/figures"))) {
         INFO(entry.path());
@@ -31,7 +31,7 @@ TEST_CASE("the page of figures shows every picture and every number") {
     CHECK(page.find("The RTL was not requested.") != std::string::npos);
     for (const char* bad : {"nan", "inf ", "{}", "/tmp"}) CHECK(page.find(bad) == std::string::npos);
 
-    const json numbers = json::parse(bytes_of(folder.name("numbers.json")));
+    const json numbers = json::parse(content_of(folder.name("numbers.json")));
     for (const char* engine : {"reference", "model"}) {
         const json& bounces = numbers["bounces"][engine];
         REQUIRE(bounces.size() == 6);
@@ -67,23 +67,23 @@ TEST_CASE("the page of figures shows every picture and every number") {
 }
 
 TEST_CASE("figures refuses what it cannot do") {
-    const Folder folder;
+    const TestFolder folder;
     check_refused(run_program({"study", "figures", "-o", folder.name("page"), "--engine", "model,chip"}),
                   {"--engine", "'chip'", "reference, model or rtl"});
     check_refused(run_program({"study", "figures", "-o", folder.name("page"), "--size", "0x5"}), {"picture"});
     const std::string file = folder.write("file", "no folder");
     check_refused(run_program({"study", "figures", "-o", file, "--size", "16x12"}), {file, "folder"});
-    CHECK(bytes_of(file) == "no folder");
+    CHECK(content_of(file) == "no folder");
 }
 
 TEST_CASE("reference and model count the same rays of Haines' scenes, within 1 %") {
-    const Folder folder;
-    const Outcome outcome =
+    const TestFolder folder;
+    const ProgramRun outcome =
         run_program({"study", "counts", "balls:2", "gears:1", "mount:4", "teapot:4", "tetra:4", "--size",
                      "96x96", "-o", folder.name("spd.md"), "--json", folder.name("spd.json")});
     INFO(outcome.err << outcome.out);
     REQUIRE(outcome.code == 0);
-    const json report = json::parse(bytes_of(folder.name("spd.json")));
+    const json report = json::parse(content_of(folder.name("spd.json")));
     CHECK(report["good"] == true);
     REQUIRE(report["scenes"].size() == 5);
     for (const json& scene : report["scenes"]) {
@@ -91,13 +91,13 @@ TEST_CASE("reference and model count the same rays of Haines' scenes, within 1 %
         CHECK(scene["model_from_reference"].get<double>() <= 0.01);
         CHECK(scene["reference"]["shadow"].get<int>() > 0);
     }
-    CHECK(bytes_of(folder.name("spd.md")).find("rayclock study counts balls:2") != std::string::npos);
+    CHECK(content_of(folder.name("spd.md")).find("rayclock study counts balls:2") != std::string::npos);
     check_refused(run_program({"study", "counts", "nothing"}), {"nothing"});
 }
 
 // V. Havran, "Comparison of Octree Traversal Algorithms", 1999. Means change little with the picture's size.
 TEST_CASE("visits and tests in octrees are the published ones, within 3 %") {
-    const Outcome outcome = run_program(
+    const ProgramRun outcome = run_program(
         {"study", "counts", "balls:4", "mount:6", "teapot:12", "--size", "129x129", "--json", "-"});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
@@ -114,7 +114,7 @@ TEST_CASE("visits and tests in octrees are the published ones, within 3 %") {
 }
 
 TEST_CASE("rays of tetra are the published ones", "[slow]") {
-    const Outcome outcome = run_program({"study", "counts", "tetra:6", "--json", "-"});
+    const ProgramRun outcome = run_program({"study", "counts", "tetra:6", "--json", "-"});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     const json scene = json::parse(outcome.out)["scenes"][0];
@@ -124,13 +124,13 @@ TEST_CASE("rays of tetra are the published ones", "[slow]") {
 }
 
 TEST_CASE("the page of structures has every structure on every scene, and the list on small ones") {
-    const Folder folder;
-    const Outcome outcome =
+    const TestFolder folder;
+    const ProgramRun outcome =
         run_program({"study", "structures", "-o", folder.name("."), "--scenes", "tetra:2", "--size", "32x24",
                      "--no-netlist", "--min-psnr", "200", "--json", folder.name("rows.json")});
     INFO(outcome.err << outcome.out);
     REQUIRE(outcome.code == 0);
-    const std::string page = bytes_of(folder.name("structures.md"));
+    const std::string page = content_of(folder.name("structures.md"));
     for (const char* part :
          {"\n| bvh |", "\n| spheres |", "\n| kd |", "\n| octree |", "| octree, finished † |",
           "| octree, inner |", "| none |", "--scenes tetra:2 --size 32x24 --no-netlist --min-psnr 200",
@@ -139,9 +139,10 @@ TEST_CASE("the page of structures has every structure on every scene, and the li
         INFO(part);
         CHECK(page.find(part) != std::string::npos);
     }
-    for (const json& row : json::parse(bytes_of(folder.name("rows.json")))["rows"]) CHECK(row["far"] == true);
+    for (const json& row : json::parse(content_of(folder.name("rows.json")))["rows"])
+        CHECK(row["far"] == true);
     CHECK(page.find(" is missing: ") == std::string::npos);
-    CHECK(!bytes_of(folder.name("structures.svg")).empty());
+    CHECK(!content_of(folder.name("structures.svg")).empty());
     check_refused(run_program({"study", "structures"}), {"--output"});
     check_refused(
         run_program({"study", "structures", "-o", folder.name("."), "--set", "primitive_test=woop"}),
@@ -149,32 +150,33 @@ TEST_CASE("the page of structures has every structure on every scene, and the li
 }
 
 TEST_CASE("the page of gigahertz has every memory at every clock, says where the wall is, and answers") {
-    const Folder folder;
-    const Outcome outcome = run_program({"study", "gigahertz", "-o", folder.name("."), "--scene", "tetra:2",
-                                         "--finished", "tetra:1", "--size", "16x12"});
+    const TestFolder folder;
+    const ProgramRun outcome = run_program({"study", "gigahertz", "-o", folder.name("."), "--scene",
+                                            "tetra:2", "--finished", "tetra:1", "--size", "16x12"});
     INFO(outcome.err << outcome.out);
     REQUIRE(outcome.code == 0);
-    const std::string page = bytes_of(folder.name("gigahertz.md"));
+    const std::string page = content_of(folder.name("gigahertz.md"));
     for (const char* part : {"\n| rpu |", "\n| sdr |", "\n| ddr3 |", "\n| lpddr4 x 2 |", "\n| ddr4 |",
                              "\n| hbm2 x 4 |", "\n| ideal |", "| 66 MHz | 133 MHz |", "| 4000 MHz |",
                              "All clocks here are assumed", "18.4 to 32.3", "## Where the memory wall is",
                              "## Do frames follow the clock?\n\nIf frames followed the clock, 66 to 4000 MHz",
                              "--scene tetra:2 --finished tetra:1"})
         CHECK(page.find(part) != std::string::npos);
-    const std::string drawing = bytes_of(folder.name("gigahertz.svg"));
+    const std::string drawing = content_of(folder.name("gigahertz.svg"));
     CHECK(drawing.find("hbm2 x 4") != std::string::npos);
     CHECK(drawing.find("nan") == std::string::npos);
     check_refused(run_program({"study", "gigahertz"}), {"--output"});
 }
 
 TEST_CASE("the page of scale has every frame with its cost, and its exponents are those of the times") {
-    const Folder folder;
-    const Outcome outcome = run_program({"study", "scale", "-o", folder.name("."), "--scenes",
-                                         "teapot:1,teapot:4", "--placed", "gearbox:1,gearbox:2", "--size",
-                                         "32x24", "--sizes", "16x12,64x48", "--json", folder.name("s.json")});
+    const TestFolder folder;
+    const ProgramRun outcome =
+        run_program({"study", "scale", "-o", folder.name("."), "--scenes", "teapot:1,teapot:4", "--placed",
+                     "gearbox:1,gearbox:2", "--size", "32x24", "--sizes", "16x12,64x48", "--json",
+                     folder.name("s.json")});
     INFO(outcome.err << outcome.out);
     REQUIRE(outcome.code == 0);
-    const json figures = json::parse(bytes_of(folder.name("s.json")));
+    const json figures = json::parse(content_of(folder.name("s.json")));
     for (const char* series : {"triangles", "placed", "pixels"}) {
         INFO(series);
         const json &rows = figures[series]["rows"], &first = rows[0], &last = rows[1];
@@ -200,7 +202,8 @@ TEST_CASE("the page of scale has every frame with its cost, and its exponents ar
     }
     CHECK(figures["largest"]["scene"] == "teapot:4");
     CHECK(figures["largest"]["width"] == 64);
-    const std::string page = bytes_of(folder.name("scale.md")), drawing = bytes_of(folder.name("scale.svg"));
+    const std::string page = content_of(folder.name("scale.md")),
+                      drawing = content_of(folder.name("scale.svg"));
     for (const char* part : {"\n| `teapot:4` | ", "\n| `gearbox:2` | ", "\n| **exponent** | ",
                              "--scenes teapot:1,teapot:4 --placed gearbox:1,gearbox:2 --size 32x24 --sizes "
                              "16x12,64x48"}) {
@@ -216,13 +219,13 @@ TEST_CASE("the page of scale has every frame with its cost, and its exponents ar
 }
 
 TEST_CASE("the page of textures has every filter and format, and the same cycles as simulate") {
-    const Folder folder;
-    const Outcome outcome =
+    const TestFolder folder;
+    const ProgramRun outcome =
         run_program({"study", "textures", "-o", folder.name("page"), "--size", "48x36", "--scenes",
                      "room,scenes/street.json,scenes/globe.json", "--json", folder.name("t.json")});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
-    const json scenes = json::parse(bytes_of(folder.name("t.json")))["scenes"];
+    const json scenes = json::parse(content_of(folder.name("t.json")))["scenes"];
     REQUIRE(scenes.size() == 3);
     for (const json& scene : scenes) {
         INFO(scene["scene"]);
@@ -266,7 +269,7 @@ TEST_CASE("the page of textures has every filter and format, and the same cycles
                     CHECK(cost["machine"] == "default, dram=sdr, pipelines=8");
                     arguments.insert(arguments.end(), {"--set", "dram=sdr", "--set", "pipelines=8"});
                 }
-                const Outcome run = run_program(arguments);
+                const ProgramRun run = run_program(arguments);
                 INFO(run.err);
                 REQUIRE(run.code == 0);
                 const json report = json::parse(run.out);
@@ -274,7 +277,7 @@ TEST_CASE("the page of textures has every filter and format, and the same cycles
                 CHECK(report["clocks"][0]["dram_bytes"] == cost["bytes_read"]);
             }
     }
-    const std::string page = bytes_of(folder.name("page/textures.md"));
+    const std::string page = content_of(folder.name("page/textures.md"));
     for (const auto& entry : std::filesystem::directory_iterator(folder.name("page/figures"))) {
         INFO(entry.path());
         CHECK(page.find("(figures/" + entry.path().filename().string() + ")") != std::string::npos);

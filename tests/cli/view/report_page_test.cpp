@@ -68,18 +68,18 @@ void check_figures(const json& report, const json& data) {
 
 TEST_CASE("a report is one file, and its figures are those of the JSON report") {
     for (const bool finished : {false, true}) {
-        const Folder folder;
+        const TestFolder folder;
         std::vector<std::string> arguments{
             "simulate", finished ? "spheres" : "gears:2", "--size", "40x30", "--clock", "66,200"};
         if (finished) arguments.insert(arguments.end(), {"--depth", "2", "--config", "wide"});
         std::vector<std::string> with = arguments;
         with.insert(with.end(), {"--report", folder.name("a.html"), "--json", folder.name("a.json")});
-        const Outcome outcome = run_program(with);
+        const ProgramRun outcome = run_program(with);
         INFO(outcome.err);
         REQUIRE(outcome.code == 0);
-        const std::string page = bytes_of(folder.name("a.html"));
+        const std::string page = content_of(folder.name("a.html"));
         const json report = data_of(page, "report");
-        CHECK(report == json::parse(bytes_of(folder.name("a.json"))));
+        CHECK(report == json::parse(content_of(folder.name("a.json"))));
         check_figures(report, data_of(page, "data"));
 
         arguments.insert(arguments.end(), {"--json", "-"});
@@ -107,7 +107,7 @@ TEST_CASE("a report is one file, and its figures are those of the JSON report") 
 
 TEST_CASE("the maps of a report have what explain says of each pixel, and its slowest are the slowest") {
     constexpr std::size_t width = 40, height = 30;
-    const Folder folder;
+    const TestFolder folder;
     const std::vector<std::string> scene{"gears:2", "--size", "40x30", "--clock", "66", "--no-judge"};
     const auto with = [&](std::vector<std::string> words, const std::vector<std::string>& more) {
         words.insert(words.end(), scene.begin(), scene.end());
@@ -115,7 +115,7 @@ TEST_CASE("the maps of a report have what explain says of each pixel, and its sl
         return words;
     };
     REQUIRE(run_program(with({"simulate"}, {"--report", folder.name("a.html")})).code == 0);
-    const json data = data_of(bytes_of(folder.name("a.html")), "data");
+    const json data = data_of(content_of(folder.name("a.html")), "data");
     std::map<std::string, std::vector<std::uint32_t>> maps;
     for (const json& map : data["maps"]) maps[map["key"]] = values_of(map, width * height);
 
@@ -133,7 +133,7 @@ TEST_CASE("the maps of a report have what explain says of each pixel, and its sl
     for (const std::size_t pixel : {slowest[0], slowest[50], std::size_t(17 * width + 23)}) {
         const std::string place = std::to_string(pixel % width) + "," + std::to_string(pixel / width);
         INFO("pixel " << place);
-        const Outcome told = run_program(with({"explain"}, {place, "--json", "-"}));
+        const ProgramRun told = run_program(with({"explain"}, {place, "--json", "-"}));
         REQUIRE(told.code == 0);
         const json cost = json::parse(told.out)["cost"];
         for (const auto& [map, figure] : names) {
@@ -144,18 +144,18 @@ TEST_CASE("the maps of a report have what explain says of each pixel, and its sl
 }
 
 TEST_CASE("names with markup in them break no page") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string evil = "<script>alert(1)</script>&\"'";
-    const Outcome config = run_program({"config", "default"});
+    const ProgramRun config = run_program({"config", "default"});
     json values = json::parse(config.out);
     values["name"] = evil;
     const std::string file = folder.write("evil<b>.json", values.dump());
-    const Outcome outcome =
+    const ProgramRun outcome =
         run_program({"simulate", "gears:1", "--size", "16x12", "--clock", "66", "--config", file,
                      "--no-reference", "--report", folder.name("a.html")});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
-    const std::string page = bytes_of(folder.name("a.html"));
+    const std::string page = content_of(folder.name("a.html"));
     CHECK(page.find("<script>alert") == page.npos);
     CHECK(page.find("evil<b>") == page.npos);
     CHECK(page.find("&lt;script&gt;alert(1)&lt;/script&gt;") != page.npos);
@@ -165,7 +165,7 @@ TEST_CASE("names with markup in them break no page") {
 TEST_CASE("a report that cannot be made is refused before the work") {
     check_refused(run_program({"simulate", "gears:8", "--report", "/missing/folder/a.html"}),
                   {"/missing/folder/a.html"});
-    const Folder folder;
+    const TestFolder folder;
     check_refused(run_program({"simulate", "gears:8", "--report", folder.name("a.html")},
                               {"RAYCLOCK_VEGA=" + folder.name("none")}),
                   {"--report", "vega", "libjs-vega"});
@@ -178,11 +178,11 @@ TEST_CASE("a browser draws every chart, moves the slider, and says nothing on it
         return;
     }
     for (const char* scene : {"gears:4", "spheres"}) {
-        const Folder folder;
+        const TestFolder folder;
         REQUIRE(run_program({"simulate", scene, "--size", "128x96", "--clock", "66", "--report",
                              folder.name("a.html")})
                     .code == 0);
-        const std::string answer = shown(folder, bytes_of(folder.name("a.html")), R"(
+        const std::string answer = shown(folder, content_of(folder.name("a.html")), R"(
             const marks = [...document.querySelectorAll('.chart')].map(chart =>
                 chart.querySelectorAll('.mark-rect path, .mark-line path, .mark-rule line').length);
             const before = byId('left-canvas').style.clipPath;

@@ -14,7 +14,7 @@ namespace {
 
 const std::string evil = "<script>alert(1)</script>&\"'";
 
-Outcome sweep(const Folder& folder, std::vector<std::string> more) {
+ProgramRun sweep(const TestFolder& folder, std::vector<std::string> more) {
     more.insert(more.begin(),
                 {"sweep", "tetra:3", "--size", "32x24", "--axis", "coord_bits=12:20:2", "--axis",
                  "pipelines=1,2,4,8", "--axis", "clock=33,66,90,120,200", "--no-netlist"});
@@ -24,7 +24,7 @@ Outcome sweep(const Folder& folder, std::vector<std::string> more) {
 void simulate(const std::string& file, std::vector<std::string> more) {
     more.insert(more.begin(),
                 {"simulate", "gears:2", "--size", "64x48", "--clock", "66", "--no-judge", "--report", file});
-    const Outcome o = run_program(more);
+    const ProgramRun o = run_program(more);
     INFO(o.err);
     REQUIRE(o.code == 0);
 }
@@ -32,12 +32,12 @@ void simulate(const std::string& file, std::vector<std::string> more) {
 }   // namespace
 
 TEST_CASE("a sweep's page has every point's figures as numbers, and merge writes the same") {
-    const Folder folder;
+    const TestFolder folder;
     REQUIRE(sweep(folder, {"--report", folder.name("a.html"), "--json", folder.name("a.json")}).code == 0);
-    const std::string page = bytes_of(folder.name("a.html"));
+    const std::string page = content_of(folder.name("a.html"));
     check_alone(page);
     CHECK(page.size() < 900'000);
-    const json data = data_of(page, "data"), report = json::parse(bytes_of(folder.name("a.json")));
+    const json data = data_of(page, "data"), report = json::parse(content_of(folder.name("a.json")));
     REQUIRE(data["points"].size() == 100);
     for (std::size_t i = 0; i < 100; ++i) {
         const json &shown = data["points"][i], &point = report["points"][i];
@@ -49,28 +49,28 @@ TEST_CASE("a sweep's page has every point's figures as numbers, and merge writes
         CHECK(shown["pareto"] == point["pareto"]);
     }
     REQUIRE(run_program({"merge", folder.name("a.json"), "--report", folder.name("b.html")}).code == 0);
-    const std::string merged = bytes_of(folder.name("b.html"));
+    const std::string merged = content_of(folder.name("b.html"));
     CHECK(data_of(merged, "data") == data);
     check_refused(run_program({"merge", folder.name("a.json"), "--report", folder.name("none/b.html")}),
                   {"none/b.html"});
 }
 
 TEST_CASE("pages of simulate are compared pixel by pixel") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string a = folder.name("a.html"), b = folder.name("b.html"), c = folder.name("c.html");
     simulate(a, {});
     simulate(b, {"--set", "contexts=16"});
-    const Outcome o = run_program({"compare", a, b, "--report", c, "--json", folder.name("c.json")});
+    const ProgramRun o = run_program({"compare", a, b, "--report", c, "--json", folder.name("c.json")});
     INFO(o.err);
     REQUIRE(o.code == 0);
-    const std::string page = bytes_of(c);
+    const std::string page = content_of(c);
     check_alone(page);
-    const json report = json::parse(bytes_of(folder.name("c.json"))), pixels = report["pixels"];
+    const json report = json::parse(content_of(folder.name("c.json"))), pixels = report["pixels"];
     CHECK(pixels["faster"].get<int>() + pixels["slower"].get<int>() + pixels["equal"].get<int>() == 64 * 48);
     CHECK(pixels["faster"] > pixels["slower"]);   // fewer rays wait for each other
     // Gains and losses sum to the difference between the totals of both pages.
     const auto cycles = [](const std::string& file) {
-        return data_of(bytes_of(file), "data")["maps"][0]["sum"].get<std::int64_t>();
+        return data_of(content_of(file), "data")["maps"][0]["sum"].get<std::int64_t>();
     };
     CHECK(pixels["cycles_lost"].get<std::int64_t>() - pixels["cycles_gained"].get<std::int64_t>() ==
           cycles(b) - cycles(a));
@@ -78,14 +78,14 @@ TEST_CASE("pages of simulate are compared pixel by pixel") {
     CHECK(data_of(page, "data")["maps"].size() == 6);
 
     // A page and a report of the same run agree, so there is no change of pixels.
-    const std::string text = data_of(bytes_of(a), "report").dump();
+    const std::string text = data_of(content_of(a), "report").dump();
     const std::string plain = folder.write("a.json", text);
     const json mixed = json::parse(run_program({"compare", a, plain, "--json", "-"}).out);
     CHECK(mixed["differences"].empty());
     CHECK(mixed["pixels"].is_null());
 
     check_refused(run_program({"compare", a, c}), {"c.html", "not a report of simulate"});
-    std::string broken = bytes_of(a);
+    std::string broken = content_of(a);
     const std::size_t at = broken.find("\"data\":\"", broken.find("\"key\":\"cycles\""));
     broken.replace(at + 20, 8, "AAAAAAAA");
     const std::string bad = folder.write("bad.html", broken);
@@ -94,15 +94,15 @@ TEST_CASE("pages of simulate are compared pixel by pixel") {
 }
 
 TEST_CASE("a pixel's page has its rays' way through the tree") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string file = folder.name("e.html");
-    const Outcome o = run_program({"explain", "spheres", "20,14", "--size", "40x30", "--depth", "2",
-                                   "--no-judge", "--report", file, "--json", folder.name("e.json")});
+    const ProgramRun o = run_program({"explain", "spheres", "20,14", "--size", "40x30", "--depth", "2",
+                                      "--no-judge", "--report", file, "--json", folder.name("e.json")});
     INFO(o.err);
     REQUIRE(o.code == 0);
-    const std::string page = bytes_of(file);
+    const std::string page = content_of(file);
     check_alone(page);
-    const json data = data_of(page, "data"), story = json::parse(bytes_of(folder.name("e.json")));
+    const json data = data_of(page, "data"), story = json::parse(content_of(folder.name("e.json")));
     CHECK(data_of(page, "explanation") == story);
     REQUIRE(data["rays"].size() == story["rays"].size());
     for (std::size_t r = 0; r < data["rays"].size(); ++r) {
@@ -120,25 +120,25 @@ TEST_CASE("a pixel's page has its rays' way through the tree") {
 }
 
 TEST_CASE("the slowest pixels are explained in the report of simulate") {
-    const Folder folder;
+    const TestFolder folder;
     simulate(folder.name("a.html"), {});
-    const json data = data_of(bytes_of(folder.name("a.html")), "data");
+    const json data = data_of(content_of(folder.name("a.html")), "data");
     CHECK(data["explanations"].is_string());
     CHECK(data["slowest"].size() == 100);
 }
 
 TEST_CASE("names with markup in them break no page of sweep, compare and explain") {
-    const Folder folder;
+    const TestFolder folder;
     json values = json::parse(run_program({"config", "default"}).out);
     values["name"] = evil;
     const std::string file = folder.write("evil<b>.json", values.dump());
     const std::string page = folder.name("<i>.html");
-    const auto check = [&](const Outcome& o) {
+    const auto check = [&](const ProgramRun& o) {
         INFO(o.err);
         REQUIRE(o.code == 0);
-        CHECK(bytes_of(page).find("<script>alert") == std::string::npos);
-        CHECK(bytes_of(page).find("<b>.json") == std::string::npos);
-        CHECK(bytes_of(page).find("<i>.html") == std::string::npos);
+        CHECK(content_of(page).find("<script>alert") == std::string::npos);
+        CHECK(content_of(page).find("<b>.json") == std::string::npos);
+        CHECK(content_of(page).find("<i>.html") == std::string::npos);
     };
     check(run_program({"explain", "gears:1", "3,3", "--size", "8x8", "--config", file, "--report", page}));
     check(run_program({"sweep", "gears:1", "--size", "8x8", "--config", file, "--axis", "contexts=8,16",
@@ -149,7 +149,7 @@ TEST_CASE("names with markup in them break no page of sweep, compare and explain
                          report})
                 .code == 0);
     check(run_program({"compare", report, report, "--report", page}));
-    CHECK(bytes_of(page).find("evil&lt;b&gt;.report.json") != std::string::npos);
+    CHECK(content_of(page).find("evil&lt;b&gt;.report.json") != std::string::npos);
 }
 
 namespace {
@@ -162,10 +162,10 @@ const std::string marks =
 }   // namespace
 
 TEST_CASE("a browser draws the pages of sweep, compare and explain, and links their charts", "[slow]") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string page = folder.name("p.html");
     REQUIRE(sweep(folder, {"--report", page}).code == 0);
-    std::string answer = shown(folder, bytes_of(page), marks + R"(
+    std::string answer = shown(folder, content_of(page), marks + R"(
         const before = marks('parallel') >= 200 && marks('speed') > 100 && marks('alone-1') > 100;
         const wide = document.documentElement.scrollWidth <= document.documentElement.clientWidth;
         byId('points').querySelectorAll('tbody tr')[42].dispatchEvent(new MouseEvent('mouseover'));
@@ -185,7 +185,7 @@ TEST_CASE("a browser draws the pages of sweep, compare and explain, and links th
     simulate(folder.name("b.html"), {"--set", "contexts=16"});
     REQUIRE(run_program({"compare", folder.name("a.html"), folder.name("b.html"), "--report", page}).code ==
             0);
-    answer = shown(folder, bytes_of(page), marks + R"(
+    answer = shown(folder, content_of(page), marks + R"(
         const image = byId('change').getContext('2d').getImageData(0, 0, 64, 48).data, colours = new Set();
         for (let i = 0; i < image.length; i += 4) colours.add(image.slice(i, i + 3).join());
         const box = byId('change').getBoundingClientRect();
@@ -200,13 +200,13 @@ TEST_CASE("a browser draws the pages of sweep, compare and explain, and links th
     CHECK(answer == "yes true true true Pixel 32, 24");
 
     REQUIRE(run_program({"explain", "gears:2", "30,24", "--size", "64x48", "--report", page}).code == 0);
-    answer = shown(folder, bytes_of(page), marks + R"(
+    answer = shown(folder, content_of(page), marks + R"(
         const visits = data.rays[0].visits.length;
         return [document.body.dataset.shown, marks('tree') === 2 * visits - 1, marks('steps') >= visits].join(' ');)");
     CHECK(answer == "yes true true");
 
     // A click on a pixel, or on its row, shows its explanation.
-    answer = shown(folder, bytes_of(folder.name("a.html")), R"(
+    answer = shown(folder, content_of(folder.name("a.html")), R"(
         const row = document.querySelector('#pixels tbody tr');
         row.click();
         const text = byId('explanation').textContent, at = row.cells[0].textContent;
@@ -216,7 +216,7 @@ TEST_CASE("a browser draws the pages of sweep, compare and explain, and links th
 }
 
 TEST_CASE("every page opens in under a second", "[slow]") {
-    const Folder folder;
+    const TestFolder folder;
     if (!is_installed("chromium")) {
         WARN("chromium is not installed");
         return;
@@ -233,7 +233,7 @@ TEST_CASE("every page opens in under a second", "[slow]") {
         run_program({"explain", "gears:8", "255,190", "--no-judge", "--report", folder.name("explain.html")})
             .code == 0);
     for (const char* name : {"sweep.html", "a.html", "compare.html", "explain.html"}) {
-        const std::string page = bytes_of(folder.name(name));
+        const std::string page = content_of(folder.name(name));
         CHECK(page.size() < 3'000'000);
         PageTimes best = time_to_open(folder, page);   // the best of five, because other jobs may run
         for (int again = 0; again < 4 && best.whole >= 1000; ++again) {

@@ -10,10 +10,10 @@ using namespace rayclock::test;
 using nlohmann::json;
 
 TEST_CASE("trace writes a timeline for each viewer") {
-    const Folder folder;
+    const TestFolder folder;
     for (const char* name : {"a.kanata", "a.pftrace", "a.fst"}) {
-        const Outcome outcome = run_program({"trace", "gears:2", "--size", "40x30", "--cycles", "2000:2100",
-                                             "-o", folder.name(name), "--json", "-"});
+        const ProgramRun outcome = run_program({"trace", "gears:2", "--size", "40x30", "--cycles",
+                                                "2000:2100", "-o", folder.name(name), "--json", "-"});
         INFO(outcome.err);
         REQUIRE(outcome.code == 0);
         const json report = json::parse(outcome.out);
@@ -21,23 +21,23 @@ TEST_CASE("trace writes a timeline for each viewer") {
         CHECK(report["stays"] > report["rays"]);
         CHECK(report["unit_spans"] >= 11);
     }
-    CHECK(bytes_of(folder.name("a.kanata")).starts_with("Kanata\t0004\nC=\t2000\n"));
-    CHECK(bytes_of(folder.name("a.pftrace")).size() > 10'000);
+    CHECK(content_of(folder.name("a.kanata")).starts_with("Kanata\t0004\nC=\t2000\n"));
+    CHECK(content_of(folder.name("a.pftrace")).size() > 10'000);
     const Waveform wave(folder.name("a.fst"));
     CHECK(wave.first() >= 20'000);
     CHECK(wave.last() < 21'010);
     CHECK(wave.names().contains("pipeline_0.box"));
-    const std::string view = bytes_of(folder.name("a.gtkw"));
+    const std::string view = content_of(folder.name("a.gtkw"));
     CHECK(view.find("[dumpfile] \"a.fst\"") != std::string::npos);
     CHECK(view.find("\npipeline_0.box\n") != std::string::npos);
-    const Outcome pixels = run_program(
+    const ProgramRun pixels = run_program(
         {"trace", "gears:2", "--size", "40x30", "--pixels", "20,14..21,15", "-o", folder.name("b.kanata")});
     CHECK(pixels.code == 0);
     CHECK(pixels.out.starts_with("gears:2: 4 rays, "));
 }
 
 TEST_CASE("trace refuses what it cannot show") {
-    const Folder folder;
+    const TestFolder folder;
     const std::string out = folder.name("a.kanata");
     const auto refused = [&](std::vector<std::string> more, const std::vector<std::string>& words) {
         std::vector<std::string> arguments{"trace", "gears:1", "--size", "40x30", "-o", out};

@@ -22,8 +22,8 @@ std::vector<Interval> all_intervals(int bits) {
 /// Returns true if the quantised planes of a child along an axis enclose the real ones by less than a step.
 bool outward(const Node& node, std::size_t child, std::size_t axis, const Interval& real) {
     const std::int64_t step = std::int64_t(1) << node.exp[axis];
-    const std::int64_t lo = dequantised(node, node.lo[3 * child + axis], axis),
-                       hi = dequantised(node, node.hi[3 * child + axis], axis);
+    const std::int64_t lo = bvh::dequantised(node, node.lo[3 * child + axis], axis),
+                       hi = bvh::dequantised(node, node.hi[3 * child + axis], axis);
     return lo <= real.lo && real.lo - lo < step && hi >= real.hi && hi - real.hi < step;
 }
 
@@ -41,12 +41,12 @@ TEST_CASE("a node's boxes are outward by less than a step, for every two interva
             // Three pairs at once, one per axis.
             const std::array<Interval, 3> first{all[i], all[j], all[(i + j) % n]},
                 second{all[j], all[(2 * i + j) % n], all[i]};
-            std::array<NodeChild, 2> children;
+            std::array<bvh::NodeChild, 2> children;
             for (std::size_t k = 0; k < 3; ++k) {
                 children[0].box.lo[k] = first[k].lo, children[0].box.hi[k] = first[k].hi;
                 children[1].box.lo[k] = second[k].lo, children[1].box.hi[k] = second[k].hi;
             }
-            const Node node = encode_node(children, 0, config);
+            const Node node = bvh::encode_node(children, 0, config);
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::int32_t extent =
                     std::max(first[k].hi, second[k].hi) - std::min(first[k].lo, second[k].lo);

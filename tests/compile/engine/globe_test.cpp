@@ -28,21 +28,22 @@ Config globes(int width = 8) {
 }
 
 /// Returns the largest excess beyond a ball.
-double beyond(const std::vector<Bead>& beads, const glm::dvec3& centre, double radius) {
+double beyond(const std::vector<spheres::Bead>& beads, const glm::dvec3& centre, double radius) {
     double most = -1e30;
-    for (const Bead& b : beads) most = std::max(most, glm::length(b.centre - centre) + b.radius - radius);
+    for (const spheres::Bead& b : beads)
+        most = std::max(most, glm::length(b.centre - centre) + b.radius - radius);
     return most;
 }
 
 /// Moves by shrinking steps towards the farthest bead (Badoiu and Clarkson). Slow, and unlike Gaertner's
 /// pivots.
-double least_radius(const std::vector<Bead>& beads) {
+double least_radius(const std::vector<spheres::Bead>& beads) {
     glm::dvec3 at = beads[0].centre;
     double least = 1e30;
     for (int i = 1; i < 200000; ++i) {
-        const Bead* far = &beads[0];
+        const spheres::Bead* far = &beads[0];
         double most = -1;
-        for (const Bead& b : beads)
+        for (const spheres::Bead& b : beads)
             if (const double d = glm::length(b.centre - at) + b.radius; d > most) most = d, far = &b;
         least = std::min(least, most);
         const double length = glm::length(far->centre - at);
@@ -62,13 +63,13 @@ MemoryImage image_of(const std::string& name, const Config& config, Primitives p
 TEST_CASE("a globe around corners is the smallest", "[globe]") {
     Draw draw{3};
     for (int i = 0; i < 12; ++i) {
-        std::vector<Bead> beads;
+        std::vector<spheres::Bead> beads;
         const int flat = draw.below(3);   // nothing, a plane, a line
         for (int n = draw.between(2, 60); n-- > 0;) {
             const int x = draw.between(-5000, 5000), y = draw.between(-5000, 5000), z = draw.between(-50, 50);
             beads.push_back({{x, flat == 2 ? x : y, flat == 0 ? z : x}, 0});
         }
-        const Globe globe = enclose(beads);
+        const spheres::Globe globe = spheres::enclose(beads);
         CAPTURE(i, beads.size(), flat);
         CHECK(beyond(beads, globe.centre, globe.radius) <= 0);
         CHECK(globe.radius <= least_radius(beads) * (1 + 1e-6));
@@ -78,35 +79,35 @@ TEST_CASE("a globe around corners is the smallest", "[globe]") {
 TEST_CASE("a globe around spheres is the smallest, and its radius never grows", "[globe]") {
     Draw draw{4};
     for (int i = 0; i < 8; ++i) {
-        std::vector<Bead> beads;
+        std::vector<spheres::Bead> beads;
         for (int n = draw.between(2, 30); n-- > 0;)
             beads.push_back({{draw.between(-500, 500), draw.between(-500, 500), draw.between(-500, 500)},
                              double(draw.below(300))});
-        const Globe globe = enclose(beads);
+        const spheres::Globe globe = spheres::enclose(beads);
         CAPTURE(i, beads.size());
         CHECK(beyond(beads, globe.centre, globe.radius) <= 0);
         CHECK(globe.radius <= least_radius(beads) * (1 + 1.0 / 1024));
     }
-    const std::vector<Bead> one{{{7, -8, 9}, 100}}, same(5, Bead{{1, 2, 3}, 0});
-    CHECK(enclose(one).centre == glm::dvec3(7, -8, 9));
-    CHECK(enclose(one).radius == Approx(100).epsilon(1e-6));
-    CHECK(enclose(same).radius < 1e-5);
+    const std::vector<spheres::Bead> one{{{7, -8, 9}, 100}}, same(5, spheres::Bead{{1, 2, 3}, 0});
+    CHECK(spheres::enclose(one).centre == glm::dvec3(7, -8, 9));
+    CHECK(spheres::enclose(one).radius == Approx(100).epsilon(1e-6));
+    CHECK(spheres::enclose(same).radius < 1e-5);
 }
 
 TEST_CASE("globes are written outward, with the least step", "[globe]") {
     Draw draw{5};
     const Config config = globes();
     for (int i = 0; i < 2000; ++i) {
-        std::vector<GlobeChild> children;
+        std::vector<spheres::GlobeChild> children;
         const int spread = 1 << draw.between(0, 16), size = 1 << draw.between(0, 16);
         for (int n = draw.between(1, 8); n-- > 0;) {
-            GlobeChild child{{}, 1};
+            spheres::GlobeChild child{{}, 1};
             for (int k = 0; k < 3; ++k)
                 child.globe.centre[k] = draw.between(-spread, spread) + draw.below(8) / 8.;
             child.globe.radius = draw.below(size) + draw.below(8) / 8.;
             children.push_back(child);
         }
-        const GlobeNode node = encode_globes(children, 5, config);
+        const GlobeNode node = spheres::encode_globes(children, 5, config);
         const double step = std::ldexp(1, int(node.exp));
         double largest = 0;
         for (std::size_t n = 0; n < children.size(); ++n) {

@@ -31,19 +31,20 @@ public:
 
     /// Returns true if a leaf whose boxes all contain x / parts has the primitive.
     bool holds(std::uint32_t line, const Vec3l& x, std::uint32_t prim) const {
-        const Node node = read_node(image_, line, config_);
+        const Node node = bvh::read_node(image_, line, config_);
         std::uint32_t inner = 0, half_line = first_leaf(node);
         for (std::size_t i = 0; i < std::size_t(config_.node_width) && node.kind[i] > 0; ++i) {
             bool is_in = true;
             for (std::size_t k = 0; k < 3; ++k)
-                is_in = is_in && x[k] >= parts * std::int64_t(dequantised(node, node.lo[3 * i + k], k)) &&
-                        x[k] <= parts * std::int64_t(dequantised(node, node.hi[3 * i + k], k));
+                is_in = is_in &&
+                        x[k] >= parts * std::int64_t(bvh::dequantised(node, node.lo[3 * i + k], k)) &&
+                        x[k] <= parts * std::int64_t(bvh::dequantised(node, node.hi[3 * i + k], k));
             if (node.kind[i] == 1) {
                 if (is_in && holds(node.base + inner, x, prim)) return true;
                 ++inner;
             }
             for (std::uint32_t n = 1; n < node.kind[i]; ++n, ++half_line)
-                if (is_in && read_triangle(image_, half_line, config_).prim == prim) return true;
+                if (is_in && read_primitive(image_, half_line, config_).prim == prim) return true;
         }
         return false;
     }
@@ -56,7 +57,7 @@ private:
         return 2 * (node.base + inner);
     }
     void count(std::uint32_t line) {
-        const Node node = read_node(image_, line, config_);
+        const Node node = bvh::read_node(image_, line, config_);
         ++nodes;
         std::uint32_t inner = 0, half_line = first_leaf(node);
         for (std::size_t i = 0; i < std::size_t(config_.node_width) && node.kind[i] > 0; ++i) {
@@ -67,7 +68,7 @@ private:
             ++leaves;
             std::set<std::uint32_t> there;
             for (std::uint32_t n = 1; n < node.kind[i]; ++n, ++references)
-                twice += !there.insert(read_triangle(image_, half_line++, config_).prim).second;
+                twice += !there.insert(read_primitive(image_, half_line++, config_).prim).second;
         }
     }
 

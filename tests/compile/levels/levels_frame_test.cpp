@@ -7,7 +7,7 @@
 #include "model/base/error.hpp"
 #include "model/trace/trace.hpp"
 #include "tests/support/levels/picture.hpp"
-#include "tests/compile/solids.hpp"
+#include "tests/support/levels/closed_instances.hpp"
 
 using namespace rayclock;
 

@@ -10,8 +10,8 @@
 #include "model/engine/check.hpp"
 #include "model/scene/hit_shading.hpp"
 #include "model/trace/trace.hpp"
-#include "tests/compile/mixed.hpp"
-#include "tests/compile/solids.hpp"
+#include "tests/support/levels/finished_instances.hpp"
+#include "tests/support/levels/closed_instances.hpp"
 
 using namespace rayclock;
 

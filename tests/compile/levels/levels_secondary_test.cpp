@@ -8,17 +8,17 @@
 #include "model/compile/levels/levels.hpp"
 #include "model/engine/check.hpp"
 #include "model/base/error.hpp"
-#include "model/unit/tri/test_primitive.hpp"
+#include "model/unit/tri/any_primitive.hpp"
 #include "sim/judge/oracle/visibility.hpp"
 #include "model/unit/raygen/raygen.hpp"
-#include "model/unit/shade/bounce.hpp"
-#include "model/unit/shade/dot.hpp"
-#include "model/unit/shade/light.hpp"
-#include "model/unit/shade/surf.hpp"
-#include "model/unit/shade/unit_vector.hpp"
+#include "model/unit/shade/bounce/bounce.hpp"
+#include "model/fixed/rounding.hpp"
+#include "model/unit/shade/light/light.hpp"
+#include "model/unit/shade/surface/surf.hpp"
+#include "model/fixed/unit_vector.hpp"
 #include "tests/support/levels/walk.hpp"
 #include "tests/compile/aim.hpp"
-#include "tests/compile/solids.hpp"
+#include "tests/support/levels/closed_instances.hpp"
 
 namespace rayclock::test::levels_secondary_test {
 
@@ -87,10 +87,10 @@ public:
             for (PrimData prim : meshes_[i]) {
                 TriRsp tri;
                 prim.prim += in.first;
-                test_primitive(moved, prim, {}, config_, tri);
+                any_primitive_test(moved, prim, {}, config_, tri);
                 if (tri.closer && tri.det > 0)
                     outside += !is_in_box(i, ray, double(tri.num) / double(tri.det));
-                test_primitive(moved, prim, best.best(), config_, tri);
+                any_primitive_test(moved, prim, best.best(), config_, tri);
                 best.take(tri, in.here);
                 if (best.stop()) return best.closest();
             }

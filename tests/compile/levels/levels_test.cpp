@@ -13,7 +13,7 @@
 #include "sim/judge/oracle/surface.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "tests/support/levels/walk.hpp"
-#include "tests/compile/solids.hpp"
+#include "tests/support/levels/closed_instances.hpp"
 
 namespace rayclock::test::levels_test {
 

@@ -1,5 +1,5 @@
 // Fuzzes the host's end of the link to a board.
-#include "tests/board/link/answers.hpp"
+#include "tests/support/board/answers.hpp"
 #include "tests/fuzz/program/targets.hpp"
 
 namespace rayclock::fuzz {

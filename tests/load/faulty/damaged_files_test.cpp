@@ -53,7 +53,7 @@ bool survives(const std::string& file) {
 
 TEST_CASE("every prefix of a file loads or is refused") {
     for (const auto& [name, bytes] : seeds()) {
-        const Folder folder;
+        const SceneFolder folder;
         folder.write("m.mtl", "newmtl red\nKd 1 0 0\n");
         folder.write("q.obj", seeds()[0].bytes);
         REQUIRE(survives(folder.write(name, bytes)));
@@ -65,7 +65,7 @@ TEST_CASE("every prefix of a file loads or is refused") {
 }
 
 TEST_CASE("every prefix of a material file loads or is refused") {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string bytes = "newmtl red\nKd 0.5 0.25 1\nKs 1 1 1\nNs 20\nd 0.5\nNi 1.5\nillum 3\n";
     for (std::size_t length = 1; length <= bytes.size(); ++length) {
         folder.write("m.mtl", bytes.substr(0, length));
@@ -77,7 +77,7 @@ TEST_CASE("damaged bytes load or are refused") {
     const unsigned seed = 20240229;
     std::mt19937 random(seed);
     for (const auto& [name, bytes] : seeds()) {
-        const Folder folder;
+        const SceneFolder folder;
         folder.write("m.mtl", "newmtl red\nKd 1 0 0\n");
         folder.write("q.obj", seeds()[0].bytes);
         int loaded = 0;

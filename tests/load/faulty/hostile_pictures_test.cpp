@@ -74,7 +74,7 @@ std::vector<std::pair<std::string, std::string>> claiming(std::uint32_t side) {
 }
 
 /// An OBJ file of a triangle with the picture p.
-std::string obj_with(const Folder& folder, const std::string& bytes) {
+std::string obj_with(const SceneFolder& folder, const std::string& bytes) {
     folder.write("p", bytes);
     folder.write("a.mtl", "newmtl a\nmap_Kd p\n");
     return folder.write("a.obj",
@@ -172,7 +172,7 @@ TEST_CASE("pictures: an animated PNG shows its first picture, and a GIF is refus
 TEST_CASE("pictures: a hostile picture gives one sentence of one line, and a grey surface") {
     for (const auto& [format, bytes] : claiming(65'536)) {
         INFO(format);
-        const Folder folder;
+        const SceneFolder folder;
         Notes notes;
         const Scene scene = load_scene(obj_with(folder, bytes), {}, Primitives::triangles, &notes);
         CHECK(scene.textures.empty());
@@ -180,7 +180,7 @@ TEST_CASE("pictures: a hostile picture gives one sentence of one line, and a gre
         CHECK_THAT(notes[0], Contains("a.obj: the picture ") && Contains("p is not drawn: "));
         CHECK_THAT(notes[0], !Contains("\n") && !Contains("\\x0a"));
     }
-    const Folder folder;
+    const SceneFolder folder;
     folder.write("p", png_of(65'536, 65'536, 8, 2, ""));
     CHECK_THAT(complaint(folder.write(
                    "a.json", R"({"materials":{"m":{"texture":"p"}},"meshes":{"c":{"builtin":"cube"}},)"
@@ -189,7 +189,7 @@ TEST_CASE("pictures: a hostile picture gives one sentence of one line, and a gre
 }
 
 TEST_CASE("pictures: a hundred thousand materials with one picture load in linear time") {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string file = obj_with(folder, png_of(2, 2, 8, 0, bytes_of({0, 1, 2, 0, 3, 4})));
     std::string mtl, obj = "mtllib a.mtl\nvt 0 0\nvt 1 0\nvt 0 1\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
     constexpr int count = 100'000;

@@ -61,7 +61,7 @@ std::string glb(const Json& json) { return glb_of(json.dump(), Octahedron().bin(
 }   // namespace
 
 TEST_CASE("JSON nested deeper than the stack is refused") {
-    const Folder folder;
+    const SceneFolder folder;
     for (const std::string& text :
          {nested(60'000), R"({"camera":)" + nested(60'000) + "}",
           R"({"meshes":{"a":{"vertices":)" + nested(201) + "}}}",
@@ -77,7 +77,7 @@ TEST_CASE("JSON nested deeper than the stack is refused") {
 }
 
 TEST_CASE("a JSON number that no double holds is refused with its place") {
-    const Folder folder;
+    const SceneFolder folder;
     check_says(quick(folder.write("a.json", "{\n \"camera\": {\"eye\": [1e999, 0, 0]}}")),
                {"a.json: line 2, column", "'1e999'", "double"});
     check_says(quick(folder.write("a.json", "{\"camera\": -1" + repeated("0", 400) + "}")),
@@ -88,7 +88,7 @@ TEST_CASE("a JSON number that no double holds is refused with its place") {
 }
 
 TEST_CASE("a key that occurs twice in a file is refused") {
-    const Folder folder;
+    const SceneFolder folder;
     check_says(quick(folder.write("a.json", R"({"meshes":{},"objects":[],"meshes":{}})")),
                {"'meshes'", "twice"});
     std::string text = gltf().dump();
@@ -97,7 +97,7 @@ TEST_CASE("a key that occurs twice in a file is refused") {
 }
 
 TEST_CASE("pipes, devices and folders are refused by every reader") {
-    const Folder folder;
+    const SceneFolder folder;
     const Octahedron o;
     const auto pipe = [&](const std::string& name) {
         REQUIRE(::mkfifo(folder.name(name).c_str(), 0600) == 0);
@@ -121,7 +121,7 @@ TEST_CASE("pipes, devices and folders are refused by every reader") {
 }
 
 TEST_CASE("a message about a missing file names that file and the file that refers to it") {
-    const Folder folder;
+    const SceneFolder folder;
     check_says(quick(folder.write("a.gltf", Octahedron().gltf("none.bin"))),
                {folder.name("none.bin") + ": there is no such file",
                 folder.name("a.gltf") + ": buffers[0].uri asks for it"});
@@ -135,7 +135,7 @@ TEST_CASE("a message about a missing file names that file and the file that refe
 }
 
 TEST_CASE("a glTF file reads no buffer outside its folder, and a name holds no zero byte") {
-    const Folder folder;
+    const SceneFolder folder;
     const Octahedron o;
     std::filesystem::create_directory(folder.name("in"));
     folder.write("out.bin", o.bin());
@@ -151,7 +151,7 @@ TEST_CASE("a glTF file reads no buffer outside its folder, and a name holds no z
 }
 
 TEST_CASE("what is odd in names and values is escaped and cut") {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string odd = "\\u001b]0;x\\u0007\\u0000\\u202e", longer = repeated("long ", 200'000);
     for (const std::string& name : {odd, longer}) {
         for (const std::string& text :
@@ -185,7 +185,7 @@ TEST_CASE("what is odd in names and values is escaped and cut") {
 }
 
 TEST_CASE("the time to read materials, primitives and nodes grows in proportion to their number") {
-    const Folder folder;
+    const SceneFolder folder;
     std::string obj = v3, mtl;
     for (int i = 0; i < 80'000; ++i) (obj += "usemtl m") += std::to_string(i) + "\nf 1 2 3\n";
     for (int i = 0; i < 80'000; ++i) (mtl += "newmtl m") += std::to_string(i) + "\nKd 1 0 0\n";
@@ -208,7 +208,7 @@ TEST_CASE("the time to read materials, primitives and nodes grows in proportion 
 }
 
 TEST_CASE("a megabyte of names of missing files, or of faces with few distinct corners, is read quickly") {
-    const Folder folder;
+    const SceneFolder folder;
     std::string names = "mtllib", places, face = "f";
     for (int i = 0; i < 150'000; ++i) (names += ' ') += std::to_string(i);
     CHECK(quick(folder.write("names.obj", names + "\n" + v3 + "f 1 2 3\n")).empty());
@@ -221,7 +221,7 @@ TEST_CASE("a megabyte of names of missing files, or of faces with few distinct c
 }
 
 TEST_CASE("a small file cannot declare more than its size allows") {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string much = "makes more than 1024 MB";
     // Copies of copies, also of materials.
     std::string obj = v3;
@@ -274,7 +274,7 @@ TEST_CASE("a small file cannot declare more than its size allows") {
 }
 
 TEST_CASE("a word of ten million letters is refused as quickly as it is read") {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string ones(10'000'000, '1'), letters(10'000'000, 'x');
     for (const std::string& word : {ones, "0." + ones, letters, "-" + ones}) {
         check_says(quick(folder.write("a.obj", "v 0 " + word + " 0\n" + v3 + "f 1 2 3\n")),
@@ -292,7 +292,7 @@ TEST_CASE("a word of ten million letters is refused as quickly as it is read") {
 }
 
 TEST_CASE("what a file holds and is not drawn is said, and counted") {
-    const Folder folder;
+    const SceneFolder folder;
     const auto notes_of = [&](const std::string& name, const std::string& bytes,
                               Textures textures = Textures::drawn) {
         std::vector<std::string> notes;
@@ -364,7 +364,7 @@ TEST_CASE("COLLADA that repeats itself is read once, or refused") {
                "</mesh></geometry></library_geometries></COLLADA>";
     };
     const std::string input = "<input semantic=\"VERTEX\" source=\"#v\"/>", face = "<p>0 1 2</p>";
-    const Folder folder;
+    const SceneFolder folder;
     // Faces without corners, again for each list of corners.
     check_says(
         quick(folder.write("a.dae", document("<polylist>" + input + "<vcount>" + repeated("0 ", 200'000) +

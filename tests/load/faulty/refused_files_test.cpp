@@ -20,7 +20,7 @@ struct Bad {
 
 void check(const std::vector<Bad>& cases) {
     for (const Bad& bad : cases) {
-        const Folder folder;
+        const SceneFolder folder;
         const std::string file = folder.write(bad.name, bad.bytes);
         const std::string sentence = complaint(file);
         INFO(bad.name << ": " << bad.bytes.substr(0, 200));
@@ -47,7 +47,7 @@ const std::string v3 = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 }   // namespace
 
 TEST_CASE("a missing or unreadable file is refused by name") {
-    const Folder folder;
+    const SceneFolder folder;
     CHECK(complaint(folder.name("none.obj")) == folder.name("none.obj") + ": there is no such file");
     CHECK(complaint(folder.name("none.json")) == folder.name("none.json") + ": there is no such file");
     CHECK(complaint("none.xyz").find("none.xyz: there is no such file") == 0);
@@ -95,7 +95,7 @@ TEST_CASE("malformed OBJ files are refused") {
            {"a.obj", std::string("newmtl x\n") + v3, {"line 1", "'newmtl'"}},
            {"a.obj", v3 + "vt 0 0\nparam 1\n", {"line 5", "'param'", "did you mean 'parm'"}},
            {"a.obj", v3 + std::string("f 1 2 3\0\n", 9), {"line 4", "\\x00"}}});
-    const Folder folder;
+    const SceneFolder folder;
     folder.write("bad.mtl", "newmtl a\nKd 1 2 blue\n");
     folder.write("nan.mtl", "newmtl a\nKd 1 0 0\nNs nan\n");
     const std::string obj = v3 + "usemtl a\nf 1 2 3\n";
@@ -220,7 +220,7 @@ TEST_CASE("malformed glTF files are refused") {
            {"a.gltf",
             changed("\"scene\":0", "\"extensionsRequired\":[\"KHR_draco_mesh_compression\"]"),
             {"KHR_draco_mesh_compression"}}});
-    const Folder folder;
+    const SceneFolder folder;
     CHECK(complaint(folder.write("a.gltf", o.gltf("none.bin"))) ==
           folder.name("none.bin") + ": there is no such file (" + folder.name("a.gltf") +
               ": buffers[0].uri asks for it)");

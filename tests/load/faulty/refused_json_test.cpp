@@ -38,7 +38,7 @@ std::string glass(const std::string& keys) {
                 R"("materials":{"glass":{)" + keys + "}},");
 }
 
-void check_refused(const Folder& folder, const std::vector<Bad>& cases) {
+void check_refused(const SceneFolder& folder, const std::vector<Bad>& cases) {
     for (const Bad& bad : cases) {
         const std::string sentence = complaint(folder.write("bad.json", bad.text));
         INFO(bad.text);
@@ -56,7 +56,7 @@ void check_refused(const Folder& folder, const std::vector<Bad>& cases) {
 }   // namespace
 
 TEST_CASE("malformed JSON scenes are refused") {
-    const Folder folder;
+    const SceneFolder folder;
     REQUIRE(complaint(folder.write("good.json", scene(""))).empty());
     folder.write("self.json", R"({"meshes":{"a":{"file":"self.json"}},"objects":[{"mesh":"a"}]})");
     folder.write("a.json", R"({"meshes":{"b":{"file":"./b.json"}},"objects":[{"mesh":"b"}]})");
@@ -122,7 +122,7 @@ TEST_CASE("malformed JSON scenes are refused") {
 }
 
 TEST_CASE("malformed spheres, planes, materials and lights of a JSON scene are refused") {
-    const Folder folder;
+    const SceneFolder folder;
     check_refused(
         folder,
         {
@@ -172,7 +172,7 @@ TEST_CASE("a million lights are refused, and soon") {
     std::string lights(R"("lights":[)");
     for (int i = 0; i < 1'000'000; ++i)
         lights += i == 0 ? R"({"position":[0,0,0]})" : R"(,{"position":[0,0,0]})";
-    const Folder folder;
+    const SceneFolder folder;
     const std::string file = folder.write("lights.json", scene("", lights + "],"));
     const std::clock_t begin = std::clock();   // processor time, because other jobs may run
     CHECK(complaint(file) == file + ": lights has 1000000 lights; the most is 64");
@@ -180,7 +180,7 @@ TEST_CASE("a million lights are refused, and soon") {
 }
 
 TEST_CASE("a JSON scene cannot blow up by copies of copies") {
-    const Folder folder;
+    const SceneFolder folder;
     folder.write("s0.json", R"({"meshes":{"m":{"builtin":"icosphere:3"}},"objects":[{"mesh":"m"}]})");
     for (int i = 1; i < 4; ++i) {
         std::string text =

@@ -27,7 +27,7 @@ struct Read {
     }
 };
 
-Read read(const Folder& folder, const std::string& name, const std::string& bytes) {
+Read read(const SceneFolder& folder, const std::string& name, const std::string& bytes) {
     Read made;
     Notes notes;
     const std::string file = folder.write(name, bytes);
@@ -69,7 +69,7 @@ const std::string one_face = "element face 1\nproperty list uchar int vertex_ind
 }   // namespace
 
 TEST_CASE("obj: a statement unknown to the format is skipped and reported") {
-    const Folder folder;
+    const SceneFolder folder;
     check_triangle(
         read(folder, "a.obj", "$ contributed by nobody\n" + v3 + "t interpolateboundary 1/0\nf 1 2 3\n"),
         {"2 lines skipped: OBJ has no such statement (the first: line 1, '$')"});
@@ -78,7 +78,7 @@ TEST_CASE("obj: a statement unknown to the format is skipped and reported") {
 }
 
 TEST_CASE("obj: a vertex without coordinates is refused if a face uses it, and reported otherwise") {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string told = "unused vertex with coordinates that are not finite, left out (line 4, ";
     check_triangle(read(folder, "a.obj", v3 + "v nan nan nan\nf 1 2 3\n"), {"1 " + told + "'nan nan nan')"});
     check_triangle(read(folder, "a.obj", v3 + "v 0 1e39 0\nf 1 2 3\np 4\n"), {"1 " + told + "'0 1e39 0')"});
@@ -92,7 +92,7 @@ TEST_CASE("obj: a vertex without coordinates is refused if a face uses it, and r
 }
 
 TEST_CASE("obj: corners without their normal are flat, and their neighbours stay smooth") {
-    const Folder folder;
+    const SceneFolder folder;
     check_triangle(read(folder, "a.obj", v3 + "f 1//1 2//1 3//1\n"),
                    {"3 corners with a normal that is not in the file, drawn flat (the first: '1')"});
     check_triangle(read(folder, "a.obj", v3 + "f 1//0 2//-1 3\n"),
@@ -112,7 +112,7 @@ TEST_CASE("obj: corners without their normal are flat, and their neighbours stay
 }
 
 TEST_CASE("obj: a face has the mean of its vertices' colours") {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string red = "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\n";
     const Read plain = read(folder, "a.obj", red + "v 1 1 0 0.25 0.5 1 1\nf 1 2 3\nf 2 4 3\nf 1 2 3\n");
     CHECK(plain.colour(0) == glm::dvec3(1, 0, 0));
@@ -131,7 +131,7 @@ TEST_CASE("obj: a face has the mean of its vertices' colours") {
 }
 
 TEST_CASE("mtl: a material without a name is the default one") {
-    const Folder folder;
+    const SceneFolder folder;
     folder.write("m.mtl", "newmtl\nKd 1 0 0\n");
     const Read made = read(folder, "a.obj", "mtllib m.mtl\n" + v3 + "usemtl\nf 1 2 3\n");
     check_triangle(made,
@@ -140,7 +140,7 @@ TEST_CASE("mtl: a material without a name is the default one") {
 }
 
 TEST_CASE("mtl: a senseless value is refused if a face uses the material, and reported otherwise") {
-    const Folder folder;
+    const SceneFolder folder;
     folder.write("m.mtl", "newmtl good\nKd 1 0 0\nnewmtl bad\nNs nan\nKd 1 2 blue\nnewmtl worse\nd\n");
     const std::string head = "mtllib m.mtl\n" + v3;
     check_triangle(
@@ -152,7 +152,7 @@ TEST_CASE("mtl: a senseless value is refused if a face uses the material, and re
 }
 
 TEST_CASE("mtl: emission in the surface's own colour is drawn, and any other colour is reported") {
-    const Folder folder;
+    const SceneFolder folder;
     folder.write("m.mtl",
                  "newmtl lamp\nKd 0 0 0\nKe 1 0.5 0\nnewmtl both\nKd 0.5 0.25 0\nKe 0.5 0.25 0\n"
                  "newmtl other\nKd 1 0 0\nKe 0 0 1\nnewmtl dark\nKd 1 0 0\nKe 0 0 0\n");
@@ -179,7 +179,7 @@ TEST_CASE("mtl: emission in the surface's own colour is drawn, and any other col
 }
 
 TEST_CASE("lines may end in a carriage return alone") {
-    const Folder folder;
+    const SceneFolder folder;
     const std::vector<Corners> octahedron = Octahedron().corners();
     check_triangle(read(folder, "a.obj", with_returns(v3 + "f 1 \\\n2 3\n")), {});
     folder.write("m.mtl", with_returns("newmtl a\nKd 1 0 0\n"));
@@ -195,7 +195,7 @@ TEST_CASE("lines may end in a carriage return alone") {
 }
 
 TEST_CASE("ply: of binary data behind a header whose lines end in a return alone no byte is lost") {
-    const Folder folder;
+    const SceneFolder folder;
     for (const bool big : {false, true}) {
         std::string bytes = Octahedron().ply_binary(big);
         const std::size_t end = bytes.find("end_header\n") + 11;
@@ -211,7 +211,7 @@ TEST_CASE("ply: of binary data behind a header whose lines end in a return alone
 }
 
 TEST_CASE("ply: every second triangle of a strip is reversed, and -1 begins a new strip") {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string strips = "element tristrips 1\nproperty list int int vertex_indices\n",
                       corners = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n";
     const std::vector<Corners> both{right, {glm::dvec3(0, 1, 0), {1, 0, 0}, {1, 1, 0}}};
@@ -233,7 +233,7 @@ TEST_CASE("ply: every second triangle of a strip is reversed, and -1 begins a ne
 }
 
 TEST_CASE("ply: unknown header lines and excess words are skipped and reported") {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string head = ply("ascii", "", one_face);
     check_triangle(
         read(folder, "a.ply",
@@ -244,7 +244,7 @@ TEST_CASE("ply: unknown header lines and excess words are skipped and reported")
 }
 
 TEST_CASE("ply: what no face uses may be no number") {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string more = "property float quality\nproperty int label\n";
     check_triangle(read(folder, "a.ply",
                         ply("ascii", more, one_face, 4) +
@@ -274,7 +274,7 @@ TEST_CASE("ply: what no face uses may be no number") {
 }
 
 TEST_CASE("ply: faces have their own colour or the mean of their corners'") {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string bytes = "property uchar red\nproperty uchar green\nproperty uchar blue\n",
                       corners = "0 0 0 255 0 0\n1 0 0 255 0 0\n0 1 0 255 0 0\n1 1 0 0 51 0\n",
                       faces = "element face 2\nproperty list uchar int vertex_indices\n";
@@ -292,7 +292,7 @@ TEST_CASE("ply: faces have their own colour or the mean of their corners'") {
 }
 
 TEST_CASE("stl: a binary file may begin with solid and have bytes behind its last facet") {
-    const Folder folder;
+    const SceneFolder folder;
     const std::string binary = Octahedron().stl_binary();
     CHECK(corners_of(read(folder, "a.stl", binary + "\r\n").scene) == Octahedron().corners());
     CHECK(corners_of(read(folder, "b.stl", binary + std::string(1000, 'x')).scene) == Octahedron().corners());
@@ -301,7 +301,7 @@ TEST_CASE("stl: a binary file may begin with solid and have bytes behind its las
 }
 
 TEST_CASE("stl: unknown statements and excess words are skipped and reported") {
-    const Folder folder;
+    const SceneFolder folder;
     const Read made = read(
         folder, "a.stl",
         "solid x\ncolor 1 0 0\nfacet normal nan nan\ncolour 9\nouter loop\nvertex 0 0 0\nvertex 1 0 0 7\n"

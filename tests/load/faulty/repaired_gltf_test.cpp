@@ -6,8 +6,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "tests/motion/animated.hpp"
-#include "tests/motion/gltf_deforming.hpp"
+#include "tests/support/scenes/animated.hpp"
+#include "tests/support/scenes/gltf_deforming.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;
@@ -23,7 +23,7 @@ struct Read {
 };
 
 Read read(const Animated& file, double time = 0) {
-    const Folder folder;
+    const SceneFolder folder;
     const Progress silent;
     Loading loading(silent);
     Read made;

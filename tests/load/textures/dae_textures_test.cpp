@@ -61,12 +61,13 @@ struct Document {
     }
 };
 
-LoadedScene read_text(const Folder& folder, const std::string& text, Textures textures = Textures::drawn) {
+LoadedScene read_text(const SceneFolder& folder, const std::string& text,
+                      Textures textures = Textures::drawn) {
     folder.write("p.png", four_texels());
     return read_scene(folder.write("a.dae", text), textures);
 }
 LoadedScene read(const Document& document, Textures textures = Textures::drawn) {
-    const Folder folder;
+    const SceneFolder folder;
     return read_text(folder, document.text(), textures);
 }
 std::string refusal(const Document& document) { return refusal_of("a.dae", document.text()); }
@@ -101,7 +102,7 @@ TEST_CASE("dae: a picture is found without a surface, as in 1.5, and if the text
 
 TEST_CASE("dae: names of pictures are URIs, and absolute names mean files next to the document") {
     Document document;
-    const Folder folder;
+    const SceneFolder folder;
     folder.write("my wood.png", four_texels());
     for (const char* name :
          {"my%20wood.png", "file:///home/me/my%20wood.png", "file://C:/Users/me/my wood.png",
@@ -174,7 +175,7 @@ TEST_CASE("dae: bind_vertex_input chooses the set of coordinates") {
 }
 
 TEST_CASE("dae: two copies of a mesh can show different sets of coordinates") {
-    const Folder folder;
+    const SceneFolder folder;
     const LoadedScene made = read_text(
         folder,
         Document{}.text(Document::instance("<bind_vertex_input semantic=\"UV\" input_semantic=\"TEXCOORD\" "
@@ -247,7 +248,7 @@ TEST_CASE("dae: --no-textures draws the average colour") {
 }
 
 TEST_CASE("dae: a picture that is missing or cut off leaves a grey surface and one sentence") {
-    const Folder folder;
+    const SceneFolder folder;
     Document document;
     document.images = "<image id=\"i\"><init_from>none.png</init_from></image>";
     LoadedScene made = read_text(folder, document.text());
@@ -305,7 +306,7 @@ TEST_CASE("dae: wrong coordinates are refused with their line, if a picture need
 }
 
 TEST_CASE("dae: every changed byte of a file with a picture loads or is refused") {
-    const Folder folder;
+    const SceneFolder folder;
     folder.write("p.png", four_texels());
     const std::string sound = Document{}.text();
     std::size_t drawn = 0, refused = 0;

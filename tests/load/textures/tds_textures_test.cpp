@@ -42,7 +42,7 @@ std::string tds(const std::string& maps, const Points& coordinates = square) {
                  chunk(0x3d3d, chunk(0x4000, std::string("box\0", 4) + chunk(0x4100, mesh)) + material));
 }
 
-LoadedScene read(const Folder& folder, const std::string& bytes, Textures textures = Textures::drawn) {
+LoadedScene read(const SceneFolder& folder, const std::string& bytes, Textures textures = Textures::drawn) {
     folder.write("p.png", four_texels());
     return read_scene(folder.write("a.3ds", bytes), textures);
 }
@@ -51,7 +51,7 @@ std::string refusal(const std::string& bytes) { return refusal_of("a.3ds", bytes
 }   // namespace
 
 TEST_CASE("3ds: a picture replaces the diffuse colour, and t increases upwards") {
-    const Folder folder;
+    const SceneFolder folder;
     const LoadedScene made = read(folder, tds(map_of("P.PNG", chunk(0x0030, word(100)))));
     CHECK(made.notes.empty());   // the case of names does not matter
     CHECK(made.material().colour == glm::dvec3(1));
@@ -62,7 +62,7 @@ TEST_CASE("3ds: a picture replaces the diffuse colour, and t increases upwards")
 }
 
 TEST_CASE("3ds: scale, offset and tiling of a picture are read") {
-    const Folder folder;
+    const SceneFolder folder;
     // The shift into the first period removes whole offsets, so these are fractions.
     LoadedScene made =
         read(folder, tds(map_of("p.png", chunk(0xa354, raw(0.5f)) + chunk(0xa356, raw(0.25f)) +
@@ -85,7 +85,7 @@ TEST_CASE("3ds: scale, offset and tiling of a picture are read") {
 }
 
 TEST_CASE("3ds: without a picture, without coordinates and with --no-textures one colour is drawn") {
-    const Folder folder;
+    const SceneFolder folder;
     LoadedScene made = read(folder, tds(map_of("none.png")));
     CHECK(made.notes == Notes{folder.name("a.3ds") + ": a picture is not drawn: " + folder.name("none.png") +
                               ": there is no such file"});
@@ -125,7 +125,7 @@ TEST_CASE("3ds: wrong coordinates are refused, if a picture needs them") {
 }
 
 TEST_CASE("3ds: every changed byte of a file with a picture loads or is refused") {
-    const Folder folder;
+    const SceneFolder folder;
     folder.write("p.png", four_texels());
     const std::string sound = tds(map_of("p.png", chunk(0xa351, word(2)) + chunk(0xa354, raw(0.5f))));
     std::size_t drawn = 0, refused = 0;
@@ -141,7 +141,7 @@ TEST_CASE("3ds: every changed byte of a file with a picture loads or is refused"
 }
 
 TEST_CASE("obj, glTF, dae and 3ds show the corners of a picture at the same places") {
-    const Folder folder;
+    const SceneFolder folder;
     folder.write("p.png", four_texels());
     folder.write("a.mtl", "newmtl a\nmap_Kd p.png\n");
     const std::string obj =

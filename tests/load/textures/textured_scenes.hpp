@@ -37,7 +37,7 @@ inline std::string four_texels() { return png_bytes({{2, 2}, {{1, 1, 1}, {1, 0, 
 
 /// Returns the sentence that refuses a file next to p.png, or an empty string if it loads.
 inline std::string refusal_of(const std::string& name, const std::string& bytes) {
-    const Folder folder;
+    const SceneFolder folder;
     folder.write("p.png", four_texels());
     const std::string said = complaint(folder.write(name, bytes));
     CHECK(said.find('\n') == said.npos);

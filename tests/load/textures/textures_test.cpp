@@ -28,7 +28,7 @@ const std::string painted_face =
     "mtllib a.mtl\n" + corners + "vt 0 0\nvt 1 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3\n";
 
 /// An OBJ file with its MTL file and the picture p.png.
-LoadedScene obj(const Folder& folder, const std::string& mtl, const std::string& text = painted_face,
+LoadedScene obj(const SceneFolder& folder, const std::string& mtl, const std::string& text = painted_face,
                 Textures textures = Textures::drawn) {
     folder.write("p.png", four_texels());
     folder.write("a.mtl", "newmtl a\nKd 0.5 0.5 0.5\n" + mtl);
@@ -36,7 +36,7 @@ LoadedScene obj(const Folder& folder, const std::string& mtl, const std::string&
 }
 
 std::string obj_complaint(const std::string& text, const std::string& mtl = "map_Kd p.png\n") {
-    const Folder folder;
+    const SceneFolder folder;
     try {
         obj(folder, mtl, text);
     } catch (const UserError& error) {
@@ -84,7 +84,7 @@ Json triangle_gltf() {
 Json& base_texture(Json& json) { return json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]; }
 
 LoadedScene gltf(const Json& json, Textures textures = Textures::drawn) {
-    const Folder folder;
+    const SceneFolder folder;
     return read_scene(folder.write("a.gltf", json.dump()), textures);
 }
 
@@ -99,7 +99,7 @@ Json inline_json() {
 }
 
 LoadedScene json(const Json& document, Textures textures = Textures::drawn) {
-    const Folder folder;
+    const SceneFolder folder;
     folder.write("p.png", four_texels());
     folder.write("flat.obj", corners + "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
     return read_scene(folder.write("a.json", document.dump()), textures);
@@ -137,7 +137,7 @@ TEST_CASE("a picture's texels and its average have the same colours in every for
 TEST_CASE("json: --no-textures reads every format that is drawn") {
     for (const auto& [name, bytes] : {std::pair{"p.bmp", small_bmp()}, {"p.tga", small_tga()}}) {
         INFO(name);
-        const Folder folder;
+        const SceneFolder folder;
         folder.write(name, bytes);
         Json document = inline_json();
         document["materials"]["m"]["texture"] = name;
@@ -179,7 +179,7 @@ TEST_CASE("pictures of every depth become codes of 8 bits") {
 }
 
 TEST_CASE("obj: map_Kd multiplies the colour, and v increases upwards") {
-    const Folder folder;
+    const SceneFolder folder;
     const LoadedScene made = obj(folder, "map_Kd p.png\n");
     CHECK(made.notes.empty());
     CHECK(made.material().colour == glm::dvec3(0.5));
@@ -197,7 +197,7 @@ TEST_CASE("obj: map_Kd multiplies the colour, and v increases upwards") {
 }
 
 TEST_CASE("obj: the options of map_Kd and names with blanks are read") {
-    const Folder folder;
+    const SceneFolder folder;
     const LoadedScene made = obj(folder, "map_Kd -s 2 4 1 -o 0.25 0.5 -clamp on -bm 1 -blendu off p.png\n");
     // s = 2 u + 0.25, t = 1 - (4 v + 0.5)
     check_near(made.scene.coordinates.at(0), {{{0.25, 0.5}, {2.25, 0.5}, {0.25, -3.5}}});
@@ -211,7 +211,7 @@ TEST_CASE("obj: the options of map_Kd and names with blanks are read") {
 }
 
 TEST_CASE("obj: a missing, foreign or cut picture leaves the material's colour") {
-    const Folder folder;
+    const SceneFolder folder;
     LoadedScene made = obj(folder, "map_Kd none.png\n");
     CHECK(made.notes == Notes{folder.name("a.obj") + ": a picture is not drawn: " + folder.name("none.png") +
                               ": there is no such file"});
@@ -230,7 +230,7 @@ TEST_CASE("obj: a missing, foreign or cut picture leaves the material's colour")
 }
 
 TEST_CASE("obj: faces without coordinates have the average colour") {
-    const Folder folder;
+    const SceneFolder folder;
     const LoadedScene made = obj(folder, "map_Kd p.png\n", painted_face + "f 1 2 3\nf 1/9 2/2 3/3\n");
     REQUIRE(made.scene.triangles.size() == 3);
     CHECK(made.material(0).texture);
@@ -244,7 +244,7 @@ TEST_CASE("obj: faces without coordinates have the average colour") {
 }
 
 TEST_CASE("obj: --no-textures draws the material's colour, and reads no picture") {
-    const Folder folder;
+    const SceneFolder folder;
     const LoadedScene made = obj(folder, "map_Kd p.png\n", painted_face, Textures::averaged);
     CHECK(made.material().colour == glm::dvec3(0.5));
     CHECK(made.scene.coordinates.empty());
@@ -556,7 +556,7 @@ TEST_CASE("json: wrong textures are named by their path") {
 }
 
 TEST_CASE("pictures of odd sizes are resampled, with a note if they shrink") {
-    const Folder folder;
+    const SceneFolder folder;
     folder.write("p3.png", png_bytes({{3, 5}, std::vector<glm::vec3>(15, glm::vec3(1))}));
     const LoadedScene made = obj(folder, "map_Kd p3.png\n");
     CHECK(made.notes.empty());

@@ -19,11 +19,13 @@ namespace {
 
 /// Where the machine's arithmetic is. Faults are drawn from its sources, not its headers.
 constexpr const char* arithmetic[] = {"model/unit/tri/",  "model/engine/bvh/",  "model/engine/node_answer",
-                                      "model/unit/list/", "model/unit/raygen/", "model/unit/shade/"};
+                                      "model/unit/list/", "model/unit/raygen/", "model/unit/shade/",
+                                      "model/fixed/"};
 /// Primitive tests that no RTL has, and pictures of hits alone: no machine runs them.
-constexpr const char* not_in_a_machine[] = {"model/unit/tri/moller.cpp", "model/unit/tri/woop.cpp",
-                                            "model/unit/tri/unit24.cpp", "model/unit/tri/truncated.cpp",
-                                            "model/scene/hit_shading.cpp"};
+constexpr const char* not_in_a_machine[] = {
+    "model/unit/tri/baselines/moller.cpp", "model/unit/tri/baselines/woop.cpp",
+    "model/unit/tri/baselines/unit24.cpp", "model/unit/tri/baselines/truncated.cpp",
+    "model/scene/hit_shading.cpp"};
 
 /// What model and RTL share: memory images, memory's timing, pictures to compare with. A fault there changes
 /// both alike.

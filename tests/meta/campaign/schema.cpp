@@ -90,9 +90,9 @@ std::string with_mutants(const std::string& text, const std::vector<Mutant>& mut
 }
 
 /// Modules that can be built alone read the number.
-constexpr const char* tops[] = {"rc_top", "rc_dispatch", "rc_sched",      "rc_raygen",     "rc_trav",
-                                "rc_box", "rc_tri",      "rc_list",       "rc_node_cache", "rc_prim_cache",
-                                "rc_l2",  "rc_shade",    "rc_unit",       "rc_pass",       "rc_power",
+constexpr const char* tops[] = {"rc_top", "rc_dispatch", "rc_sched",       "rc_raygen",     "rc_trav",
+                                "rc_box", "rc_tri",      "rc_list",        "rc_node_cache", "rc_prim_cache",
+                                "rc_l2",  "rc_shade",    "rc_unit_vector", "rc_pass",       "rc_power",
                                 "rc_tex", "rc_log",      "rc_path_length"};
 
 void write(const fs::path& path, const std::string& text) {

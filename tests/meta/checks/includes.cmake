@@ -4,9 +4,9 @@
 # its definition. A module of one engine in rtl instantiates no module of another.
 #
 # The rooms from the lowest to the highest. Every room with sources is listed, and every listed room exists.
-set(rooms model/base model/core model/scene model/layout model/board model/mem model/unit model/engine
-  model/compile model/trace model/machine sim/files sim/load sim/judge sim/run sim/board sim/view sim/silicon
-  sim/explore sim/study sim/app)
+set(rooms model/base model/core model/fixed model/scene model/layout model/board model/mem model/unit
+  model/engine model/compile model/trace model/machine sim/files sim/load sim/judge sim/run sim/board sim/view
+  sim/silicon sim/explore sim/study sim/app)
 # Parts of model/engine, lowest first: what engines share, then engines on which others build. Any other
 # folder is an engine that includes itself and these parts only, so a new one needs no line here. `engines`
 # includes them all, and `check` includes `engines`.

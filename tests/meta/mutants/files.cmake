@@ -48,7 +48,7 @@ mutant(load_header_takes_a_byte_of_data FILE sim/load/mesh/ply_header.cpp TEST l
 mutant(load_used_faults_are_drawn FILE sim/load/mesh/indexed.cpp TEST load "ply: what no face uses*"
   OLD [[fault->vertex == i]]
   NEW [[fault->vertex + 1 == i]])
-mutant(load_degenerate_not_counted FILE sim/load/place.cpp TEST load "what a file holds*"
+mutant(load_degenerate_not_counted FILE sim/load/part_builder.cpp TEST load "what a file holds*"
   OLD [[++dropped_;]]
   NEW [[]])
 mutant(files_memory_time_is_rounded FILE sim/run/memory/memory_file.cpp TEST load "a memory that is written*"
@@ -84,7 +84,7 @@ mutant(files_picture_is_not_read_back FILE sim/files/image/write.cpp TEST image
   "a picture that is encoded wrongly*"
   OLD [[if (!stop()) codec.check(]]
   NEW [[if (stop()) codec.check(]])
-mutant(files_film_is_not_read_back FILE sim/run/film/strip.cpp TEST cli
+mutant(files_film_is_not_read_back FILE sim/run/film/make_film.cpp TEST cli
   "a film that does not show its frames*"
   OLD [[if (!fault.empty())]]
   NEW [[if (count == 0)]])

@@ -71,20 +71,20 @@ mutant(link_host_counts_a_packet_too_many FILE sim/board/link.cpp TEST board "an
   OLD [[std::min<std::uint64_t>(packets * link_lines_most, rest.size());]]
   NEW [[std::min<std::uint64_t>((packets + 1) * link_lines_most, rest.size());]])
 mutant(link_host_forgets_lost_answers FILE sim/board/link.cpp TEST board "a lost packet or answer*"
-  OLD [[flight[k].order < flight[i].order) send_again]]
-  NEW [[flight[k].order == 0) send_again]])
+  OLD [[flight_[k].order < flight_[i].order) send_again]]
+  NEW [[flight_[k].order == 0) send_again]])
 mutant(link_host_waits_at_a_gap FILE sim/board/link.cpp TEST board "a lost packet or answer*"
-  OLD [[if (from >= i || resent_from) return;]]
-  NEW [[if (from <= i || resent_from) return;]])
+  OLD [[if (expected >= refused || resent_from_) return;]]
+  NEW [[if (expected <= refused || resent_from_) return;]])
 mutant(link_host_sends_a_gap_again_and_again FILE sim/board/link.cpp TEST board "a lost packet or answer*"
-  OLD [[resent_from = base + from;]]
+  OLD [[resent_from_ = base_ + expected;]]
   NEW [[]])
 mutant(link_host_believes_an_old_hello FILE sim/board/link.cpp TEST board "answers to an earlier*"
   OLD [[answer->value != hello.address ||]]
   NEW [[]])
 mutant(link_host_leaves_packets_in_flight FILE sim/board/link.cpp TEST board "the board refuses*"
-  OLD [[            n = base + flight.size();]]
-  NEW [[            refuse(flight[i].command, answer.reason);]])
+  OLD [[        n_ = base_ + flight_.size();]]
+  NEW [[        link_.refuse(flight_[i].command, answer.reason);]])
 mutant(link_decoder_skips_a_packet FILE sim/board/protocol.cpp TEST board "every answer*"
   OLD [[link_checksum(all.subspan(kind_at, end - kind_at))) {
             drop(1);]]

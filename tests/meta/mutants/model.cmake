@@ -115,33 +115,33 @@ mutant(model_origin_boxes_inward FILE model/unit/tri/origin.cpp TEST unit [origi
   NEW [[box.near[k] = below;]])
 
 # ---- Any ray against any primitive: the last bit of a root, and exact contact.
-mutant(model_any_end_of_the_way_blocks FILE model/unit/tri/test_primitive.cpp TEST unit [any]~[tri]
+mutant(model_any_end_of_the_way_blocks FILE model/unit/tri/any_primitive.cpp TEST unit [any]~[tri]
   OLD [[e.num * (Int128(1) << frac) < e.det;]]
   NEW [[e.num * (Int128(1) << frac) <= e.det;]])
-mutant(model_sphere_touch_is_no_hit QUICK FILE model/unit/tri/test_primitive.cpp TEST unit
+mutant(model_sphere_touch_is_no_hit QUICK FILE model/unit/tri/any_primitive.cpp TEST unit
   "tri is right for every camera ray and sphere*"
   OLD [[m.along >= 0 || m.disc < 0 : m.power < 0]]
   NEW [[m.along >= 0 || m.disc <= 0 : m.power < 0]])
-mutant(model_sphere_far_root_rounded_down FILE model/unit/tri/test_primitive.cpp TEST unit
+mutant(model_sphere_far_root_rounded_down FILE model/unit/tri/any_primitive.cpp TEST unit
   "tri of a chip that shades decides exactly and measures within its bound - Model*"
   OLD [[Int128(r.whole + r.rest) << r.shift]]
   NEW [[Int128(r.whole) << r.shift]])
-mutant(model_sphere_light_on_it_is_inside FILE model/unit/tri/test_primitive.cpp TEST unit
+mutant(model_sphere_light_on_it_is_inside FILE model/unit/tri/any_primitive.cpp TEST unit
   "tri is right for secondary rays and spheres*"
   OLD [[return end > 0 && (m.power < 0 || m.along < 0);]]
   NEW [[return end > 0;]])
-mutant(model_root_needs_a_bit FILE model/unit/tri/test_primitive.cpp TEST unit "the root is rounded down*"
+mutant(model_root_needs_a_bit FILE model/unit/tri/any_primitive.cpp TEST unit "the root is rounded down*"
   OLD [[std::max(bits - 2 * root_bits + 1, 0) / 2;]]
   NEW [[std::max(bits - 2 * root_bits + 2, 0) / 2;]])
-mutant(model_square_root_rounded_up FILE model/unit/shade/square_root.cpp TEST unit [square_root]
+mutant(model_square_root_rounded_up FILE model/fixed/square_root.cpp TEST unit [square_root]
   OLD [[(root | bit) <= x) root |= bit;]]
   NEW [[(root | bit) <= x + 1) root |= bit;]])
 
 # ---- Shading, and what the host writes for it.
-mutant(model_threshold_too_much_slack FILE model/unit/shade/pass.cpp TEST unit [threshold]
+mutant(model_threshold_too_much_slack FILE model/unit/shade/pass/pass.cpp TEST unit [threshold]
   OLD [[2 * weight + 3 * bounce >=]]
   NEW [[2 * weight + 8 * bounce >=]])
-mutant(model_approach_any_slab FILE model/unit/shade/approach.cpp TEST unit [approach]
+mutant(model_approach_any_slab FILE model/unit/shade/light/approach.cpp TEST unit [approach]
   OLD [[d[k] < 0 ? q[k] > end : q[k] < -end]]
   NEW [[d[k] < 0 ? q[k] > end : q[k] <= -end]])
 mutant(host_keeps_the_second_of_two_spheres FILE model/compile/surfaces.cpp TEST system
@@ -188,7 +188,7 @@ mutant(model_shade_looks_at_an_answer_at_once FILE model/unit/shade/shade.hpp
   WITH tests/unit/shade/shade_test.cpp
   TEST unit [shade][interval]
   OLD [[i < closest_delay_; ++i)]]
-  NEW [[i < closest_delay_ && !(i == 0 && closest.valid); ++i)]])
+  NEW [[i < closest_delay_ && !(i == 0 && in.closest.valid); ++i)]])
 mutant(model_window_passes_a_tile FILE model/unit/sched/sched.hpp
   WITH model/machine/machine.cpp model/machine/pipeline.cpp TEST unit "windows of cycles*"
   OLD [[std::uint64_t(last_ - at_) + 1;]]

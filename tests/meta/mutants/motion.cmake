@@ -25,7 +25,7 @@ mutant(planes_have_an_end_above FILE model/compile/levels/maps.cpp TEST compile
   NEW [[if (box.lo[0] <= box.hi[0]) made.points = {box.lo, {0, 0, 0}};]])
 
 # ---- Two levels: the units.
-mutant(short_refracted_ray_goes FILE model/unit/shade/bounce.cpp TEST unit [bounce]
+mutant(short_refracted_ray_goes FILE model/unit/shade/bounce/bounce.cpp TEST unit [bounce]
   OLD [[&& is_held(c, out.d);]]
   NEW [[&& (is_held(c, out.d) || c.has_homes());]])
 mutant(rtl_xform_rests_too_little_every_2 FILE rtl/unit/xform/rc_xform.sv TEST unit [xform]

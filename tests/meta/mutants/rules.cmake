@@ -40,7 +40,7 @@ mutant(rule_spheres_smaller_than_the_scene_s FILE model/compile/surfaces.cpp TES
   [[        const double square = std::min(std::round(0.999 * radius * 0.999 * radius), std::exp2(2 * coord_bits) - 1);]])
 
 # ---- Where rays come from.
-mutant(rule_rays_leave_a_sphere_four_ticks_too_far FILE model/unit/tri/test_primitive.cpp TEST simulate
+mutant(rule_rays_leave_a_sphere_four_ticks_too_far FILE model/unit/tri/any_primitive.cpp TEST simulate
   "spheres --depth 2"
   OLD [[const std::uint32_t t = distance_of(way, units - scale, m.square, config);]]
   NEW [[const std::uint32_t t = 4 + distance_of(way, units - scale, m.square, config);]]
@@ -92,7 +92,7 @@ mutant(rule_normals_of_corners_unit_after_an_unequal_pitch FILE model/compile/le
   FILE2 sim/judge/paths/placed.cpp
   OLD2 [[if (square > 0) normal *= of.lattice.pitch / double(std::sqrt(square));]]
   NEW2 [[if (square > 0) normal = unit_or_zero(normal * of.lattice.pitch);]])
-mutant(rule_corner_normals_change_places FILE model/unit/shade/surf.cpp TEST simulate
+mutant(rule_corner_normals_change_places FILE model/unit/shade/surface/surf.cpp TEST simulate
   "teapot:3 --depth 1 | mount:2 --depth 1"
   OLD [=[p.u * s.normal[3 + k] + p.v * s.normal[6 + k]]=]
   NEW [=[p.v * s.normal[3 + k] + p.u * s.normal[6 + k]]=]
@@ -108,21 +108,22 @@ mutant(rule_opaque_spheres_are_seen_from_inside FILE model/compile/surfaces.cpp 
   OLD2 [[scene.materials[s.material].transmit > 0});]]
   NEW2 [[scene.materials[s.material].transmit >= 0});]])
 
-mutant(rule_smooth_normals_are_not_turned_to_the_side_seen FILE model/unit/shade/surf.cpp TEST simulate
+mutant(rule_smooth_normals_are_not_turned_to_the_side_seen FILE model/unit/shade/surface/surf.cpp
+  TEST simulate
   "tests/system/scenes/octa_from_inside.json --depth 0"
   OLD [[toward[k] = -toward[k];]]
   NEW [[toward[k] = c.smooth && s.smooth ? toward[k] : -toward[k];]]
   FILE2 sim/judge/paths/path_surface.cpp
   OLD2 [[std::int64_t(smooth) * (answer_.back ? -1 : 1) : s.n[k];]]
   NEW2 [[std::int64_t(smooth) : s.n[k];]])
-mutant(rule_normals_of_spheres_point_out_inside FILE model/unit/shade/surf.cpp TEST simulate
+mutant(rule_normals_of_spheres_point_out_inside FILE model/unit/shade/surface/surf.cpp TEST simulate
   "spheres --depth 4"
   OLD [=[if (in.hit.back) state.n[k]]=]
   NEW [=[if (in.hit.back && !is_sphere) state.n[k]]=]
   FILE2 sim/judge/paths/path_surface.cpp
   OLD2 [[s.n[k] == (answer_.back ? -normal : normal)]]
   NEW2 [[s.n[k] == normal]])
-mutant(rule_normals_of_instances_turned_by_the_map_itself FILE model/unit/shade/surf.cpp TEST simulate
+mutant(rule_normals_of_instances_turned_by_the_map_itself FILE model/unit/shade/surface/surf.cpp TEST simulate
   "${turned}"
   OLD [=[in.placement.a[3 * i + k]) * state.normal[i]]=]
   NEW [=[in.placement.a[3 * k + i]) * state.normal[i]]=]
@@ -146,40 +147,41 @@ mutant(rule_pictures_of_camera_rays_lit_from_behind FILE model/scene/hit_shading
   "teapot:3 | mount:2"
   OLD [[const double lambert = glm::dot(point.normal, to_light);]]
   NEW [[const double lambert = std::abs(glm::dot(point.normal, to_light));]])
-mutant(rule_light_behind_a_surface_counts FILE model/unit/shade/light.cpp TEST simulate
+mutant(rule_light_behind_a_surface_counts FILE model/unit/shade/light/light.cpp TEST simulate
   "teapot:3 --depth 1 --size 96x72 | mount:2 --depth 1 --size 96x72 | ${turned}"
   OLD [[out.counts = side > 0 && cosine > 0;]]
   NEW [[out.counts = cosine > 0;]]
   FILE2 sim/judge/paths/path_surface.cpp
   OLD2 [[if (side <= 0 || out.light.cosine == 0 ||]]
   NEW2 [[if (out.light.cosine == 0 ||]])
-mutant(rule_hidden_lights_count FILE model/unit/shade/pass.cpp TEST simulate "spheres --depth 0"
+mutant(rule_hidden_lights_count FILE model/unit/shade/pass/pass.cpp TEST simulate "spheres --depth 0"
   OLD [[pending == Pending::answer && !in.hit.found]]
   NEW [[pending == Pending::answer]]
   FILE2 sim/judge/paths/path.cpp
   OLD2 [[(lit_if_free_ && !answer_.found)]]
   NEW2 [[lit_if_free_]])
-mutant(rule_panes_are_no_borders FILE model/unit/shade/pass.cpp TEST simulate "scenes/pond.json --depth 2"
+mutant(rule_panes_are_no_borders FILE model/unit/shade/pass/pass.cpp
+  TEST simulate "scenes/pond.json --depth 2"
   OLD [[s.across = s.in_cell ^ pane_of(in.surface, c);]]
   NEW [[s.across = s.in_cell;]]
   FILE2 sim/judge/paths/path_surface.cpp
   OLD2 [[pane_bit(rules_.inputs, answer_.prim) : 0;]]
   NEW2 [[0 : 0;]])
-mutant(rule_far_bounces_take_the_background FILE model/unit/shade/pass.cpp TEST simulate
+mutant(rule_far_bounces_take_the_background FILE model/unit/shade/pass/pass.cpp TEST simulate
   "scenes/pond.json --depth 2"
   OLD [[if (!c.horizon || s.is_lost) return std::nullopt;]]
   NEW [[return std::nullopt;]]
   FILE2 sim/judge/paths/path_surface.cpp
   OLD2 [[if (!config_.horizon || place_.is_lost) return std::nullopt;]]
   NEW2 [[return std::nullopt;]])
-mutant(rule_far_bounces_begin_on_the_other_side FILE model/unit/shade/pass.cpp TEST simulate
+mutant(rule_far_bounces_begin_on_the_other_side FILE model/unit/shade/pass/pass.cpp TEST simulate
   "scenes/pond.json --depth 2"
   OLD [[((s.n[k] < 0) == through)]]
   NEW [[((s.n[k] < 0) != through)]]
   FILE2 sim/judge/paths/path_surface.cpp
   OLD2 [[through ? s.n[k] < 0 : s.n[k] >= 0;]]
   NEW2 [[through ? s.n[k] >= 0 : s.n[k] < 0;]])
-mutant(rule_far_points_see_all_lights FILE model/unit/shade/pass.cpp TEST simulate
+mutant(rule_far_points_see_all_lights FILE model/unit/shade/pass/pass.cpp TEST simulate
   "scenes/pebble.json --depth 1 | spheres --depth 1"
   OLD [[if (!found.counts || (s.is_far && !clear)) return;]]
   NEW [[if (!found.counts || s.is_far) return;]]
@@ -219,7 +221,7 @@ mutant(rule_reflectance_of_another_index FILE model/compile/surfaces.cpp TEST si
   FILE2 sim/judge/paths/world.cpp
   OLD2 [[reflectance = (index - 1) / (index + 1),]]
   NEW2 [[reflectance = (index - 1) / (index + 2),]])
-mutant(rule_reflectance_to_the_fourth_power FILE model/unit/shade/bounce.cpp TEST simulate
+mutant(rule_reflectance_to_the_fourth_power FILE model/unit/shade/bounce/bounce.cpp TEST simulate
   "spheres --depth 3 --fresnel | spheres --depth 4 --fresnel --size 96x72"
   OLD [[q5 = rounded(q4 * q, unit_bits);]]
   NEW [[q5 = q4;]]
@@ -234,7 +236,7 @@ mutant(rule_reflectance_to_the_fourth_power FILE model/unit/shade/bounce.cpp TES
     const Range cosine =
         Range::around(glm::dot(place_.normal, place_.view), place_.cosine_error()).clamped(0, 1);
     const auto fifth = [](double x) { return x * x * x * x; };]])
-mutant(rule_squares_are_stripes FILE model/unit/shade/surf.cpp TEST simulate
+mutant(rule_squares_are_stripes FILE model/unit/shade/surface/surf.cpp TEST simulate
   "spheres --depth 1 | plane --depth 1"
   OLD [[return second(hit.u, 0) != second(hit.v, 1) ? s.other : s.colour;]]
   NEW [[return second(hit.u, 0) ? s.other : s.colour;]]
@@ -249,26 +251,27 @@ mutant(rule_light_s_colour_halved FILE model/compile/surfaces.cpp TEST simulate 
   NEW2 [[natural(light.colour[int(k)] / 2, share_bits, std::exp2(strength_bits) - 1);]])
 
 # ---- What ends a path, and what a bounce weighs.
-mutant(rule_total_reflection_loses_what_transmits FILE model/unit/shade/bounce.cpp TEST simulate
+mutant(rule_total_reflection_loses_what_transmits FILE model/unit/shade/bounce/bounce.cpp TEST simulate
   "gears:2 --depth 4 --size 96x72 | spheres --depth 5 --size 96x72"
   OLD [[        if (state.total)]]
   NEW [[        if (state.total && state.mirror > state.transmit)]]
   FILE2 sim/judge/paths/path_bounce.cpp
   OLD2 [[    if (s.total) {]]
   NEW2 [[    if (s.total && s.mirror > s.transmit) {]])
-mutant(rule_refracted_rays_stay_outside FILE model/unit/shade/pass.cpp TEST simulate "spheres --depth 4"
+mutant(rule_refracted_rays_stay_outside FILE model/unit/shade/pass/pass.cpp TEST simulate "spheres --depth 4"
   OLD [[s.is_inside ^ std::uint32_t(through)]]
   NEW [[s.is_inside + 0 * through]]
   FILE2 sim/judge/paths/path_bounce.cpp
   OLD2 [[s.is_inside ^ std::uint32_t(through)]]
   NEW2 [[s.is_inside]])
-mutant(rule_one_bounce_more_than_the_depth FILE model/unit/shade/pass.cpp TEST simulate "spheres --depth 2"
+mutant(rule_one_bounce_more_than_the_depth FILE model/unit/shade/pass/pass.cpp
+  TEST simulate "spheres --depth 2"
   OLD [[if (s.depth >= frame.shade.depth)]]
   NEW [[if (s.depth > frame.shade.depth)]]
   FILE2 sim/judge/paths/path.cpp
   OLD2 [[if (branch_.depth >= std::uint32_t(rules_.settings.depth))]]
   NEW2 [[if (branch_.depth > std::uint32_t(rules_.settings.depth))]])
-mutant(rule_background_of_bounces_is_not_weighed FILE model/unit/shade/pass.cpp TEST simulate
+mutant(rule_background_of_bounces_is_not_weighed FILE model/unit/shade/pass/pass.cpp TEST simulate
   "spheres --depth 3"
   OLD [[rounded(std::uint64_t(weight) * frame.shade.background[k], unit_bits)]]
   NEW [[rounded((std::uint64_t(1) << unit_bits) * frame.shade.background[k], unit_bits)]]
@@ -281,7 +284,8 @@ mutant(rule_background_of_bounces_is_not_weighed FILE model/unit/shade/pass.cpp 
             (Range{1, 1} * Range::around]])
 
 # ---- What a pixel is made of its samples.
-mutant(rule_last_sample_counts_for_all FILE model/unit/shade/pass.cpp TEST simulate "spheres --depth 1 --aa 2"
+mutant(rule_last_sample_counts_for_all FILE model/unit/shade/pass/pass.cpp
+  TEST simulate "spheres --depth 1 --aa 2"
   OLD [[s.sum[k] += s.colour[k];]]
   NEW [[s.sum[k] = (s.sample + 1) * s.colour[k];]]
   FILE2 sim/judge/paths/path.cpp
@@ -289,7 +293,7 @@ mutant(rule_last_sample_counts_for_all FILE model/unit/shade/pass.cpp TEST simul
         exact_sum_[k] = exact_sum_[k] + exact_[k].clamped(0, 1);]]
   NEW2 [[sum_[k] = (sample_ + 1) * colour_[k];
         exact_sum_[k] = (sample_ + 1.0) * exact_[k].clamped(0, 1);]])
-mutant(rule_pixels_end_at_twice_the_contrast FILE model/unit/shade/pass.cpp TEST simulate
+mutant(rule_pixels_end_at_twice_the_contrast FILE model/unit/shade/pass/pass.cpp TEST simulate
   "spheres --depth 1 --aa 3 --contrast 0.05 | gears:1 --depth 1 --aa 3 --contrast 0.1"
   OLD [[s.most[k] - s.least[k] <= frame.shade.contrast;]]
   NEW [[s.most[k] - s.least[k] <= 2 * frame.shade.contrast;]]

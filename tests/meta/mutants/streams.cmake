@@ -100,7 +100,7 @@ mutant(stream_meets_no_sphere FILE rtl/unit/tri/rc_tri.sv TEST system
   "model and RTL trace a stream through spheres*"
   OLD [[assign in_own    = 1'b0;]]
   NEW [[assign in_own    = 1'b1;]])
-mutant(stream_ray_leaves_primitive_0 FILE model/unit/tri/test_primitive.cpp TEST system
+mutant(stream_ray_leaves_primitive_0 FILE model/unit/tri/any_primitive.cpp TEST system
   "every structure gives a stream through spheres*"
   OLD [[const bool own = config.has_self() &&]]
   NEW [[const bool own = config.spheres &&]])

@@ -37,7 +37,7 @@ mutant(tex_model_slant_below_0 QUICK FILE ${tex_model} TEST unit [tex][level]
 mutant(tex_model_scale_ignored FILE ${tex_model} TEST unit [tex][level]
   OLD [[record.density + hit.scale + spread]]
   NEW [[record.density + spread]])
-mutant(tex_model_request_without_scale FILE model/unit/shade/pass.cpp TEST system [textures][map]
+mutant(tex_model_request_without_scale FILE model/unit/shade/pass/pass.cpp TEST system [textures][map]
   OLD [[s.cosine, in.hit.u, in.hit.v, in.placement.texel_scale};]]
   NEW [[s.cosine, in.hit.u, in.hit.v, 0};]])
 mutant(tex_model_log_at_the_start_of_its_part FILE ${tex_model} TEST unit [tex][log]~[rtl]
@@ -108,50 +108,50 @@ mutant(tex_model_cutoff_lost FILE ${tex_model} TEST unit ${tex_model_case}
 # ---- Holes in the model: rays.
 set(hole_cases [pass][hole])
 set(path_cases [pass][textures]~[lockstep])
-mutant(tex_model_holes_not_counted QUICK FILE model/unit/shade/pass.cpp TEST unit ${hole_cases}
+mutant(tex_model_holes_not_counted QUICK FILE model/unit/shade/pass/pass.cpp TEST unit ${hole_cases}
   OLD [[++s.holes;]]
   NEW [[;]])
-mutant(tex_model_holes_kept_by_a_bounce FILE model/unit/shade/pass.cpp TEST unit ${hole_cases}
+mutant(tex_model_holes_kept_by_a_bounce FILE model/unit/shade/pass/pass.cpp TEST unit ${hole_cases}
   OLD [[s.path = ray.path;
     s.holes = 0;]]
   NEW [[s.path = ray.path;]])
-mutant(tex_model_holes_kept_by_the_next_sample FILE model/unit/shade/pass.cpp TEST unit ${hole_cases}
+mutant(tex_model_holes_kept_by_the_next_sample FILE model/unit/shade/pass/pass.cpp TEST unit ${hole_cases}
   OLD [[s.path = 0, s.holes = 0;]]
   NEW [[s.path = 0;]])
-mutant(tex_model_holes_without_end FILE model/unit/shade/pass.cpp TEST unit ${path_cases}
+mutant(tex_model_holes_without_end FILE model/unit/shade/pass/pass.cpp TEST unit ${path_cases}
   OLD [[if (!in.hole || s.holes == max_holes) {]]
   NEW [[if (!in.hole) {]])
-mutant(tex_model_one_hole_too_few FILE model/unit/shade/pass.cpp TEST unit ${hole_cases}
+mutant(tex_model_one_hole_too_few FILE model/unit/shade/pass/pass.cpp TEST unit ${hole_cases}
   OLD [[if (!in.hole || s.holes == max_holes) {]]
   NEW [[if (!in.hole || s.holes + 1 == max_holes) {]])
-mutant(tex_model_hole_from_the_old_origin FILE model/unit/shade/pass.cpp TEST unit ${hole_cases}
+mutant(tex_model_hole_from_the_old_origin FILE model/unit/shade/pass/pass.cpp TEST unit ${hole_cases}
   OLD [[out.spawn.o[k] = std::int32_t(s.o[k]);]]
   NEW [[out.spawn.o[k] = in.o[k];]])
-mutant(tex_model_hole_in_the_mesh_from_the_scene FILE model/unit/shade/pass.cpp TEST unit ${hole_cases}
+mutant(tex_model_hole_in_the_mesh_from_the_scene FILE model/unit/shade/pass/pass.cpp TEST unit ${hole_cases}
   OLD [[out.spawn.home = home_of(s, in.d, in.placement, c);]]
   NEW [[out.spawn.home = home_of(s, in.d, in.placement, c), out.spawn.home.o = out.spawn.o;]])
-mutant(tex_model_hole_has_ambient_light FILE model/unit/shade/pass.cpp TEST unit ${hole_cases}
+mutant(tex_model_hole_has_ambient_light FILE model/unit/shade/pass/pass.cpp TEST unit ${hole_cases}
   OLD [[++s.holes;]]
   NEW [[add(s.colour, ambient), ++s.holes;]])
-mutant(tex_model_pixel_keeps_the_hit_behind_a_hole FILE model/unit/shade/pass.cpp TEST unit ${hole_cases}
+mutant(tex_model_pixel_keeps_the_hit_behind_a_hole FILE model/unit/shade/pass/pass.cpp TEST unit ${hole_cases}
   OLD [[s.sample == 0 && s.holes == 0) {]]
   NEW [[s.sample == 0) {]])
 
 # ---- Light through holes in the model.
 set(light_cases [hole]~[foliage]~[rtl])
-mutant(tex_model_light_holes_without_end FILE model/unit/shade/pass.cpp TEST unit ${light_cases}
+mutant(tex_model_light_holes_without_end FILE model/unit/shade/pass/pass.cpp TEST unit ${light_cases}
   OLD [[in.hole && in.state.light_holes < max_holes;]]
   NEW [[in.hole;]])
-mutant(tex_model_light_holes_kept FILE model/unit/shade/pass.cpp TEST unit ${light_cases}
+mutant(tex_model_light_holes_kept FILE model/unit/shade/pass/pass.cpp TEST unit ${light_cases}
   OLD [[passes_hole(in) ? s.light_holes + 1 : 0;]]
   NEW [[s.light_holes + passes_hole(in);]])
-mutant(tex_model_light_after_the_next FILE model/unit/shade/pass.cpp TEST unit ${light_cases}
+mutant(tex_model_light_after_the_next FILE model/unit/shade/pass/pass.cpp TEST unit ${light_cases}
   OLD [[s.light -= passes_hole(in);]]
   NEW [[;]])
-mutant(tex_model_ray_through_a_hole_ignores_none FILE model/unit/shade/pass.cpp TEST unit ${light_cases}
+mutant(tex_model_ray_through_a_hole_ignores_none FILE model/unit/shade/pass/pass.cpp TEST unit ${light_cases}
   OLD [[out.spawn.holes = s.light_holes;]]
   NEW [[;]])
-mutant(tex_model_cutout_at_level_0 FILE model/unit/shade/pass.cpp TEST unit ${light_cases}
+mutant(tex_model_cutout_at_level_0 FILE model/unit/shade/pass/pass.cpp TEST unit ${light_cases}
   OLD [[out.tex = {in.ray, record, in.state.path, full_weight,]]
   NEW [[out.tex = {in.ray, record, 0, full_weight,]])
 mutant(tex_model_cutout_with_the_scale_of_the_surface FILE model/unit/shade/shader.hpp
@@ -168,22 +168,23 @@ mutant(tex_model_cutouts_do_not_stop FILE model/unit/list/ray_tests.hpp WITH tes
   NEW [[return any_ && best_.found && !found_.cutout; }]])
 
 # ---- The model of shade.
-mutant(tex_model_path_adds_t_twice FILE model/unit/shade/surf.cpp TEST unit ${path_cases}
+mutant(tex_model_path_adds_t_twice FILE model/unit/shade/surface/surf.cpp TEST unit ${path_cases}
   OLD [[length = size * in.hit.t >> length_bits;]]
   NEW [[length = 2 * size * in.hit.t >> length_bits;]])
-mutant(tex_model_path_wraps FILE model/unit/shade/surf.cpp TEST unit ${path_cases}
+mutant(tex_model_path_wraps FILE model/unit/shade/surface/surf.cpp TEST unit ${path_cases}
   OLD [[std::min<std::uint64_t>(in.state.path + length, (std::uint64_t(1) << c.path_bits()) - 1)]]
   NEW [[(in.state.path + length) & ((std::uint64_t(1) << c.path_bits()) - 1)]])
-mutant(tex_model_path_goes_on_in_the_next_sample QUICK FILE model/unit/shade/pass.cpp TEST unit ${path_cases}
+mutant(tex_model_path_goes_on_in_the_next_sample QUICK FILE model/unit/shade/pass/pass.cpp
+  TEST unit ${path_cases}
   OLD [[s.depth = 0, s.in_cell = 0, s.path = 0, s.holes = 0;]]
   NEW [[s.depth = 0, s.in_cell = 0, s.holes = 0;]])
-mutant(tex_model_path_of_a_waiting_ray_lost FILE model/unit/shade/pass.cpp TEST unit ${path_cases}
+mutant(tex_model_path_of_a_waiting_ray_lost FILE model/unit/shade/pass/pass.cpp TEST unit ${path_cases}
   OLD [[s.in_cell = ray.in_cell, s.path = ray.path;]]
   NEW [[s.in_cell = ray.in_cell;]])
-mutant(tex_model_ambient_before_texture FILE model/unit/shade/surf.cpp TEST unit ${path_cases}
+mutant(tex_model_ambient_before_texture FILE model/unit/shade/surface/surf.cpp TEST unit ${path_cases}
   OLD [[if (s.record != 0) return {};]]
   NEW [[;]])
-mutant(tex_model_texture_replaces_albedo FILE model/unit/shade/surf.cpp TEST unit ${path_cases}
+mutant(tex_model_texture_replaces_albedo FILE model/unit/shade/surface/surf.cpp TEST unit ${path_cases}
   OLD [[rounded(state.albedo[k] * texel[k], share_bits)]]
   NEW [=[texel[k]]=])
 
@@ -227,19 +228,20 @@ mutant(simulate_tex_neighbour_left_out FILE ${tex_model} TEST simulate "room --d
 mutant(simulate_tex_corners_swapped FILE model/compile/textures.cpp TEST simulate "room --depth 1"
   OLD [[std::ldexp(corners[k].y, coordinate_frac)]]
   NEW [[std::ldexp(corners[(3 - k) % 3].y, coordinate_frac)]])
-mutant(simulate_tex_path_of_the_last_ray FILE model/unit/shade/surf.cpp TEST simulate "room --depth 2"
+mutant(simulate_tex_path_of_the_last_ray FILE model/unit/shade/surface/surf.cpp TEST simulate "room --depth 2"
   OLD [[in.state.path + length,]]
   NEW [[length,]])
 mutant(simulate_tex_alpha_of_the_neighbour FILE ${tex_model} TEST simulate "room --depth 1"
   OLD [[return corner[i].alpha; }]]
   NEW [[return corner[i ^ 1].alpha; }]])
-mutant(simulate_tex_hole_from_the_old_origin FILE model/unit/shade/pass.cpp TEST simulate "room --depth 1"
+mutant(simulate_tex_hole_from_the_old_origin FILE model/unit/shade/pass/pass.cpp
+  TEST simulate "room --depth 1"
   OLD [[out.spawn.o[k] = std::int32_t(s.o[k]);]]
   NEW [[out.spawn.o[k] = in.o[k];]])
-mutant(simulate_tex_hole_has_ambient_light FILE model/unit/shade/pass.cpp TEST simulate "room --depth 1"
+mutant(simulate_tex_hole_has_ambient_light FILE model/unit/shade/pass/pass.cpp TEST simulate "room --depth 1"
   OLD [[++s.holes;]]
   NEW [[add(s.colour, ambient), ++s.holes;]])
-mutant(simulate_tex_cutouts_hide_the_light FILE model/unit/shade/pass.cpp TEST simulate "room --depth 1"
+mutant(simulate_tex_cutouts_hide_the_light FILE model/unit/shade/pass/pass.cpp TEST simulate "room --depth 1"
   OLD [[in.hole && in.state.light_holes < max_holes;]]
   NEW [[in.hole && in.state.light_holes > max_holes;]])
 mutant(simulate_tex_light_ignores_an_opaque_cutout FILE model/unit/list/ray_tests.hpp
@@ -520,14 +522,15 @@ mutant(tex_model_plane_unsigned QUICK FILE ${tex_model} TEST unit ${tex_model_ca
 mutant(tex_model_plane_without_ends FILE ${tex_model} TEST unit ${tex_model_case}
   OLD [[is_saturated(hit, config) ? record.last_level :]]
   NEW [[hit.u + hit.v == 0x12345 ? record.last_level :]])
-mutant(tex_model_octahedral_without_one FILE model/unit/shade/surf.cpp TEST unit [octahedral]
+mutant(tex_model_octahedral_without_one FILE model/unit/shade/surface/surf.cpp TEST unit [octahedral]
   OLD [[std::int64_t sum = 1;]]
   NEW [[std::int64_t sum = 0;]])
-mutant(tex_model_octahedral_not_folded QUICK FILE model/unit/shade/surf.cpp TEST unit [octahedral]
+mutant(tex_model_octahedral_not_folded QUICK FILE model/unit/shade/surface/surf.cpp TEST unit [octahedral]
   OLD [[if (n[1] < 0) {
         p = half - p, q = half - q;]]
   NEW [[if (n[1] < 0) {]])
-mutant(tex_model_far_path_from_the_middle FILE model/unit/shade/surf.cpp TEST unit [pass][textures]~[lockstep]
+mutant(tex_model_far_path_from_the_middle FILE model/unit/shade/surface/surf.cpp
+  TEST unit [pass][textures]~[lockstep]
   OLD [[way[k] = state.o[k] - in.o[k];]]
   NEW [[way[k] = state.o[k];]])
 mutant(tex_model_pattern_repeats_with_a_seam FILE model/scene/pattern.cpp TEST load "json: patterns*"
@@ -548,13 +551,14 @@ mutant(simulate_tex_plane_corners_swapped FILE model/compile/plane.cpp TEST simu
 mutant(simulate_tex_plane_from_its_own_point FILE model/compile/plane.cpp TEST simulate ${globe}
   OLD [[corners[0] += on.at[i] * step[i];]]
   NEW [[corners[0] += 0.3 * step[i];]])
-mutant(simulate_tex_far_path_saturates FILE model/unit/shade/surf.cpp TEST simulate "${globe} --size 200x150"
+mutant(simulate_tex_far_path_saturates FILE model/unit/shade/surface/surf.cpp
+  TEST simulate "${globe} --size 200x150"
   OLD [[c.planes && in.surface.kind == PrimKind::plane &&]]
   NEW [[c.planes && in.surface.kind == PrimKind::sphere &&]])
-mutant(simulate_tex_sphere_axes_swapped FILE model/unit/shade/surf.cpp TEST simulate ${globe}
+mutant(simulate_tex_sphere_axes_swapped FILE model/unit/shade/surface/surf.cpp TEST simulate ${globe}
   OLD [[half * std::abs(n[0]) / sum, q = half * std::abs(n[2]) / sum;]]
   NEW [[half * std::abs(n[2]) / sum, q = half * std::abs(n[0]) / sum;]])
-mutant(simulate_tex_sphere_as_the_viewer_sees_it FILE model/unit/shade/pass.cpp TEST simulate ${globe}
+mutant(simulate_tex_sphere_as_the_viewer_sees_it FILE model/unit/shade/pass/pass.cpp TEST simulate ${globe}
   OLD [[    if (s.is_round) {]]
   NEW [[    if (s.is_round && s.normal[0] > 0) {]])
 mutant(simulate_tex_sphere_density_of_a_disc FILE model/scene/texture.cpp TEST simulate ${globe}

@@ -1,7 +1,7 @@
 #pragma once
 // Requests for the tri of a shading chip, with every kind of ray and primitive, and the judgement of its
 // answers by exact geometry.
-#include "model/unit/tri/test_primitive.hpp"
+#include "model/unit/tri/any_primitive.hpp"
 #include "model/unit/tri/tri.hpp"
 #include "tests/support/oracle/ball.hpp"
 #include "tests/support/world/traffic.hpp"
@@ -102,7 +102,7 @@ inline oracle::Rational unit_of(const Config& c) {
 }
 inline oracle::Int most_t(const Config& c) { return (oracle::Int(1) << c.t_bits()) - 1; }
 
-/// Returns the largest permitted excess of t for a sphere, as stated in model/unit/tri/test_primitive.hpp.
+/// Returns the largest permitted excess of t for a sphere, as stated in model/unit/tri/any_primitive.hpp.
 inline oracle::Rational sphere_excess(const oracle::Ball& ball, const Config& c) {
     const oracle::Rational unit = unit_of(c), a = ball.speed_squared();
     const oracle::Rational radius = sqrt(oracle::ceil(ball.radius_squared * unit * unit / a)) + 1;

@@ -2,10 +2,10 @@
 // Configurations of shading chips, and random passes of the unit shade with every event and every kind of
 // surface.
 #include "model/scene/whitted.hpp"
-#include "model/unit/shade/bounce.hpp"
+#include "model/unit/shade/bounce/bounce.hpp"
 #include "model/engine/check.hpp"
-#include "model/unit/shade/pass.hpp"
-#include "model/unit/shade/unit_vector.hpp"
+#include "model/unit/shade/pass/pass.hpp"
+#include "model/fixed/unit_vector.hpp"
 #include "tests/support/cases/chip_name.hpp"
 #include "tests/support/cases/placement_cases.hpp"
 

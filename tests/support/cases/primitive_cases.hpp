@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/unit/tri/primitive.hpp"
+#include "model/unit/tri/tri_test.hpp"
 #include "model/engine/check.hpp"
 #include "model/scene/builtin.hpp"
 #include "tests/support/cases/tri_cases.hpp"

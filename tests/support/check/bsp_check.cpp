@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "model/engine/bvh/decode.hpp"
+#include "model/layout/words.hpp"
 #include "model/engine/bsp/slant.hpp"
 #include "model/core/layout.hpp"
 #include "model/unit/tri/vectors.hpp"
@@ -55,7 +55,7 @@ public:
                 continue;
             }
             for (std::uint32_t n = 0; n < exits.count[i]; ++n)
-                if (read_triangle(image_, 2 * exits.base + exits.offset[i] + n, config_).prim == prim)
+                if (read_primitive(image_, 2 * exits.base + exits.offset[i] + n, config_).prim == prim)
                     return true;
         }
         return false;

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "model/engine/spheres/node.hpp"
-#include "model/engine/bvh/decode.hpp"
+#include "model/layout/words.hpp"
 #include "model/engine/spheres/enclose.hpp"
 #include "model/core/layout.hpp"
 #include "model/unit/tri/vectors.hpp"
@@ -82,7 +82,7 @@ public:
                     complain(line, "a primitive is reached twice, or does not exist");
                     continue;
                 }
-                below.push_back(read_triangle(image_, half_line, config_));
+                below.push_back(read_primitive(image_, half_line, config_));
             }
             Written globe;
             for (std::size_t k = 0; k < 3; ++k)
@@ -133,9 +133,9 @@ GlobeSizes globe_sizes(const MemoryImage& image, const Config& config) {
     double sum = 0;
     Reader(image, config)
         .read(0, 1, [&](std::uint32_t, std::size_t, const Written& globe, const auto& prims) {
-            std::vector<Bead> beads;
-            for (const PrimData& prim : prims) add_beads(prim, config, beads);
-            const double least = enclose(beads).radius;
+            std::vector<spheres::Bead> beads;
+            for (const PrimData& prim : prims) spheres::add_beads(prim, config, beads);
+            const double least = spheres::enclose(beads).radius;
             if (least < 1) return;
             const double ratio = double(globe.radius) / least;
             ++sizes.globes;

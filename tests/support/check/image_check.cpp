@@ -73,7 +73,7 @@ private:
 
     void read(std::size_t index) {
         Visit& at = nodes_[index];
-        at.node = read_node(image_, at.line, config_);
+        at.node = bvh::read_node(image_, at.line, config_);
         whole(at.node, image_.line(at.line), words_per_line, at.line);
         const Node node = at.node;
         const std::uint32_t line = at.line;
@@ -115,7 +115,7 @@ private:
         std::uint32_t half_line = 2 * (at.node.base + inner);
         for (std::size_t i = inner; i < std::size_t(config_.node_width); ++i)
             for (std::uint32_t n = 1; n < at.node.kind[i]; ++n, ++half_line) {
-                const PrimData triangle = read_triangle(image_, half_line, config_);
+                const PrimData triangle = read_primitive(image_, half_line, config_);
                 whole(triangle, image_.half_line(half_line), words_per_half, at.line);
                 for (const Vec3i& point : {triangle.a, triangle.b, triangle.c}) {
                     at.real[i].add(LatticeBox{{point[0] - margin_, point[1] - margin_, point[2] - margin_},
@@ -139,8 +139,8 @@ private:
             inner += at.node.kind[i] == 1;
             all.add(at.real[i]);
             for (std::size_t k = 0; k < 3; ++k)
-                if (dequantised(at.node, at.node.lo[3 * i + k], k) > at.real[i].lo[k] ||
-                    dequantised(at.node, at.node.hi[3 * i + k], k) < at.real[i].hi[k])
+                if (bvh::dequantised(at.node, at.node.lo[3 * i + k], k) > at.real[i].lo[k] ||
+                    bvh::dequantised(at.node, at.node.hi[3 * i + k], k) < at.real[i].hi[k])
                     complain(at.line, "child " + std::to_string(i) + " reaches out of its box along axis " +
                                           std::to_string(k));
         }

@@ -85,20 +85,20 @@ template <class Engine> struct NodeTestUnit {
     static int latency(const Config& c) { return Engine::latency(c); }
     static int queue(const Config& c) { return c.box_queue; }
 };
-struct BoxUnit : NodeTestUnit<engine::Bvh> {
+struct BoxUnit : NodeTestUnit<bvh::Engine> {
     static constexpr const char* name = "rc_box";
     static int interval(const Config& c) { return c.box_interval(); }
     static NodeAnswer answer(const BoxReq& req, const Frame&, const Config& c) { return box(req, c); }
 };
-struct TreeletUnit : NodeTestUnit<engine::Kd> {
+struct TreeletUnit : NodeTestUnit<kd::Engine> {
     static constexpr const char* name = "rc_treelet";
     static NodeAnswer answer(const TreeletReq& req, const Frame&, const Config& c) { return treelet(req, c); }
 };
-struct GlobeUnit : NodeTestUnit<engine::Globes> {
+struct GlobeUnit : NodeTestUnit<spheres::Engine> {
     static constexpr const char* name = "rc_globe";
     static NodeAnswer answer(const GlobeReq& req, const Frame&, const Config& c) { return globe(req, c); }
 };
-struct SlantUnit : NodeTestUnit<engine::Bsp> {
+struct SlantUnit : NodeTestUnit<bsp::Engine> {
     static constexpr const char* name = "rc_slant";
     static NodeAnswer answer(const SlantReq& req, const Frame&, const Config& c) { return slant(req, c); }
 };

@@ -54,9 +54,16 @@ public:
         }
         const auto clock = [&]<bool textures>() {
             shade_.clock<false, textures>(
-                now_++, ray_of(closest.offer), wants ? Shade::Fetch::surface : Shade::Fetch::none,
-                ray_of(surf_rsp), {}, surf_req.fires(), spawn.fires(), pixel.fires(), ray_of(tex_rsp),
-                tex_req.fires(), [this](std::uint32_t ray) { return contexts_[ray].pass(frame_, config_); });
+                now_++,
+                {.closest = ray_of(closest.offer),
+                 .fetch = wants ? Shade::Fetch::surface : Shade::Fetch::none,
+                 .surface = ray_of(surf_rsp),
+                 .textured = ray_of(tex_rsp),
+                 .surf_taken = surf_req.fires(),
+                 .spawn_taken = spawn.fires(),
+                 .pixel_taken = pixel.fires(),
+                 .texture_taken = tex_req.fires()},
+                [this](std::uint32_t ray) { return contexts_[ray].pass(frame_, config_); });
         };
         if (config_.has_textures())
             clock.operator()<true>();

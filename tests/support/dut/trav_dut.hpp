@@ -48,7 +48,7 @@ public:
             const Ray& r = contexts_[node_rsp.offer->ray].ray;
             const BoxRay from = box_ray(r);
             box_req.offer =
-                BoxReq{r.ray, from.o, from.neg, from.recip, from.len, node_rsp.offer->of<engine::Bvh>().node};
+                BoxReq{r.ray, from.o, from.neg, from.recip, from.len, node_rsp.offer->of<bvh::Engine>().node};
         }
         box_rsp.ready = true;
         leaves.reset();

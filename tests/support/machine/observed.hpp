@@ -5,6 +5,7 @@
 #include <string>
 
 #include "model/engine/bvh/decode.hpp"
+#include "model/layout/words.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "model/trace/walk.hpp"
 #include "sim/explore/fit/interval.hpp"
@@ -38,14 +39,14 @@ private:
         for (bool done = false; !done;) {
             see("trav.node addr", walk.node());
             see("mem.addr", walk.node());
-            for (std::size_t k = 0; k < 3; ++k) slab(k, ray, read_node(image_, walk.node(), c_));
+            for (std::size_t k = 0; k < 3; ++k) slab(k, ray, bvh::read_node(image_, walk.node(), c_));
             bool more = walk.test_node();
             const NodeAnswer boxes = walk.node_answer();
             list(boxes);
             for (; more; more = walk.advance()) {
                 see("list.prim addr", walk.prim());
                 see("mem.addr", walk.prim() / 2);
-                triangle(ray, read_triangle(image_, walk.prim(), c_), walk.best(), walk);
+                triangle(ray, read_primitive(image_, walk.prim(), c_), walk.best(), walk);
             }
             const Tested tested = walk.tested();
             see("list.t_best", tested.t_best);

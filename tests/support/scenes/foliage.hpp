@@ -71,7 +71,7 @@ private:
         folder_.write(name, SmallPng(width, height, pixels).bytes());
     }
 
-    Folder folder_;
+    SceneFolder folder_;
     Draw draw_;
 };
 

@@ -1,48 +1,26 @@
 #pragma once
-// Small files for the tests of loading: a temporary folder, and one mesh written in every format.
+// Small files of scenes: a temporary folder for them, and one mesh written in every format.
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
-
-#include <unistd.h>
 
 #include <glm/vec3.hpp>
 
 #include "model/base/error.hpp"
 #include "sim/load/load.hpp"
+#include "tests/support/files/test_folder.hpp"
 
 namespace rayclock::test {
 
-class Folder {
+/// A temporary folder for files of scenes.
+class SceneFolder : public TestFolder {
 public:
-    Folder() {
-        static int number = 0;
-        path_ = std::filesystem::temp_directory_path() /
-                ("rayclock_load_" + std::to_string(getpid()) + "_" + std::to_string(number++));
-        std::filesystem::create_directories(path_);
-    }
-    ~Folder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    std::string write(const std::string& name, const std::string& bytes) const {
-        std::ofstream(path_ / name, std::ios::binary) << bytes;
-        return (path_ / name).string();
-    }
-    std::string name(const std::string& name) const { return (path_ / name).string(); }
+    /// Writes a file and loads it.
     Scene load(const std::string& name, const std::string& bytes) const {
         return load_scene(write(name, bytes));
     }
-
-private:
-    std::filesystem::path path_;
 };
 
 using Corners = std::array<glm::dvec3, 3>;

@@ -156,7 +156,7 @@ private:
                           {"bufferView": 2, "componentType": 5123, "count": 6, "type": "SCALAR"}]})");
     }
 
-    Folder folder_;
+    SceneFolder folder_;
 };
 
 }   // namespace rayclock::test

@@ -240,7 +240,7 @@ private:
     void check_box(const BoxReq& req) const {
         const Ray& ray = contexts_[node_rsp_->ray].ray;
         const BoxReq expected{ray.ray,   ray.o,   {ray.d[0] < 0, ray.d[1] < 0, ray.d[2] < 0},
-                              ray.recip, ray.len, node_rsp_->of<engine::Bvh>().node};
+                              ray.recip, ray.len, node_rsp_->of<bvh::Engine>().node};
         REQUIRE(same(req, expected, config_));
     }
 

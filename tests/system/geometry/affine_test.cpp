@@ -4,14 +4,14 @@
 
 #include "model/compile/levels/levels.hpp"
 #include "model/base/error.hpp"
-#include "model/unit/tri/primitive.hpp"
+#include "model/unit/tri/tri_test.hpp"
 #include "tests/support/oracle/fractions.hpp"
 #include "sim/judge/oracle/placed.hpp"
 #include "sim/judge/oracle/surface.hpp"
 #include "model/unit/raygen/raygen.hpp"
 #include "tests/support/levels/walk.hpp"
 #include "sim/explore/stress/aim.hpp"
-#include "tests/compile/solids.hpp"
+#include "tests/support/levels/closed_instances.hpp"
 
 using namespace rayclock;
 

@@ -37,7 +37,7 @@ public:
     /// Adds the cells of the exits of a slant and of everything below it. Includes leaves, since planes that
     /// are not across an axis lie low in the tree. `above` is the slant's own cell.
     void add(std::uint32_t line, const Convex& above, Cells& cells) const {
-        const WideSlant& slant = decoder_.node<engine::Bsp>(line);
+        const WideSlant& slant = decoder_.node<bsp::Engine>(line);
         for (const Vec3i& n : slant.normal) cells.oblique += (n[0] != 0) + (n[1] != 0) + (n[2] != 0) > 1;
         for (std::uint32_t child = 0; child < slant.exits.children; ++child) {
             Convex alone, nested = above;
@@ -52,7 +52,7 @@ public:
     void count(std::uint32_t line, const BoxRay& ray, const Vec3i& along, bool visited,
                Counts& counts) const {
         std::array<std::uint32_t, max_width> t_near;
-        const WideSlant& slant = decoder_.node<engine::Bsp>(line);
+        const WideSlant& slant = decoder_.node<bsp::Engine>(line);
         const std::uint32_t hits = slant_exits(ray, along, slant, config_, t_near.data());
         counts.met += std::popcount(hits);
         counts.visited += visited ? std::popcount(hits) : 0;

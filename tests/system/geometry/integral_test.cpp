@@ -50,7 +50,7 @@ public:
     double expected(std::uint32_t line, const Region& region) const {
         double sum = 0;
         if (config_.is_walked(Structure::kd)) {
-            const WideTreelet& t = decoder_.node<engine::Kd>(line);
+            const WideTreelet& t = decoder_.node<kd::Engine>(line);
             const Region cell = t.open ? region : region.within(t.lo, t.hi);
             for (std::uint32_t child = 0; child < inner_of(t.exits); ++child) {
                 Region part = cell;
@@ -65,7 +65,7 @@ public:
             return sum;
         }
         const auto node = unpack<Node>(image_.line(line), config_);
-        for (std::uint32_t child = 0; child < inner_of(decoder_.node<engine::Bvh>(line)); ++child) {
+        for (std::uint32_t child = 0; child < inner_of(decoder_.node<bvh::Engine>(line)); ++child) {
             Vec3i lo{}, hi{};
             for (std::size_t k = 0; k < 3; ++k) {
                 lo[k] = node.org[k] + int(node.lo[3 * child + k] << node.exp[k]);
@@ -81,9 +81,9 @@ public:
         std::array<std::uint32_t, max_width> t_near;
         const bool planes = config_.is_walked(Structure::kd);
         const WideNode& node =
-            planes ? decoder_.node<engine::Kd>(line).exits : decoder_.node<engine::Bvh>(line);
+            planes ? decoder_.node<kd::Engine>(line).exits : decoder_.node<bvh::Engine>(line);
         const std::uint32_t hits =
-            planes ? treelet_exits(ray, decoder_.node<engine::Kd>(line), config_, t_near.data())
+            planes ? treelet_exits(ray, decoder_.node<kd::Engine>(line), config_, t_near.data())
                    : box_children(ray, node, config_, t_near.data());
         int sum = 0;
         for (std::uint32_t child = 0; child < inner_of(node); ++child)
@@ -94,7 +94,7 @@ public:
     /// Returns the sum of the surfaces of globes. Globes are not nested like boxes, so each counts
     /// separately.
     double globes(std::uint32_t line) const {
-        const WideGlobes& node = decoder_.node<engine::Globes>(line);
+        const WideGlobes& node = decoder_.node<spheres::Engine>(line);
         double sum = 0;
         for (std::uint32_t child = 0; child < inner_of(node.children); ++child) {
             const double r = std::ldexp(node.radius[child], int(node.exp)) / ball_radius;
@@ -105,7 +105,7 @@ public:
     /// Returns how many of them a ray meets.
     int met(std::uint32_t line, const GlobeRay& ray) const {
         std::array<std::uint32_t, max_width> t_near;
-        const WideGlobes& node = decoder_.node<engine::Globes>(line);
+        const WideGlobes& node = decoder_.node<spheres::Engine>(line);
         const std::uint32_t hits = globe_children(ray, node, config_, t_near.data());
         int sum = std::popcount(hits & node.children.inner_mask);
         for (std::uint32_t child = 0; child < inner_of(node.children); ++child)

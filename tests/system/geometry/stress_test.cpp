@@ -31,7 +31,7 @@ Plan small_plan(std::vector<std::string> tests, std::uint64_t rays) {
     plan.rays = rays;
     return plan;
 }
-std::vector<Counts> counts_of(const Outcome& outcome) {
+std::vector<Counts> counts_of(const StressResult& outcome) {
     std::vector<Counts> counts;
     for (const Cell& cell : outcome.cells) counts.push_back(cell.counts);
     return counts;
@@ -91,7 +91,7 @@ TEST_CASE(
 TEST_CASE("the exact test meets every demand in every hard case, on every lattice", "[stress]") {
     Plan plan = small_plan({"exact"}, 600'000);
     plan.bits = {12, 13, 14, 15, 16, 17, 18, 19, 20};
-    const Outcome outcome = run(plan);
+    const StressResult outcome = run(plan);
     for (const Cell& cell : outcome.cells) {
         if (family(cell.family).leaks) continue;
         INFO(cell.family << " at N = " << cell.bits);
@@ -117,7 +117,7 @@ TEST_CASE("controls are noticed, the sheared test is watertight, float and trunc
           "[stress]") {
     std::vector<std::string> names;
     for (const NamedTest& test : named_tests()) names.push_back(test.name);
-    const Outcome outcome = run(small_plan(names, 1'000'000));
+    const StressResult outcome = run(small_plan(names, 1'000'000));
     const auto of = [&](const std::string& test, const std::string& where) {
         return sum(outcome.cells,
                    [&](const Cell& cell) { return cell.test == test && cell.family == where; });
@@ -176,16 +176,16 @@ TEST_CASE("a stress run gives the same counts with any threads, and when it is s
     Temporary state;
     plan.state = state.path;
     plan.stop_after = 11;
-    const Outcome part = run(plan);
+    const StressResult part = run(plan);
     CHECK(part.partial);
     CHECK(part.rays > 0);
     CHECK(part.rays < 1'650'000);
     plan.stop_after = ~std::uint64_t(0);
-    const Outcome rest = run(plan);
+    const StressResult rest = run(plan);
     CHECK_FALSE(rest.partial);
     CHECK(rest.rays_before == part.rays);
     CHECK(counts_of(rest) == straight);
-    const Outcome again = run(plan);   // nothing is left to do
+    const StressResult again = run(plan);   // nothing is left to do
     CHECK(again.rays_before == again.rays);
     CHECK(counts_of(again) == straight);
 

@@ -14,8 +14,8 @@
 #include "sim/judge/paths/camera.hpp"
 #include "sim/judge/paths/judge_picture.hpp"
 #include "sim/judge/paths/placed.hpp"
-#include "tests/compile/mixed.hpp"
-#include "tests/compile/solids.hpp"
+#include "tests/support/levels/finished_instances.hpp"
+#include "tests/support/levels/closed_instances.hpp"
 #include "tests/support/machine/frames.hpp"
 
 namespace rayclock::test::judge_levels_test {

@@ -7,7 +7,7 @@
 #include "sim/judge/reference/reference.hpp"
 #include "sim/judge/cause/finished.hpp"
 #include "sim/files/image/srgb.hpp"
-#include "tests/compile/mixed.hpp"
+#include "tests/support/levels/finished_instances.hpp"
 #include "tests/support/machine/frames.hpp"
 
 namespace rayclock::test::seam_test {

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "model/compile/surfaces.hpp"
-#include "tests/compile/mixed.hpp"
+#include "tests/support/levels/finished_instances.hpp"
 #include "tests/support/machine/build_all.hpp"
 #include "tests/support/machine/frames.hpp"
 

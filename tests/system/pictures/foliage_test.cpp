@@ -55,7 +55,7 @@ TEST_CASE("light passes through the holes of random leaves", "[textures][hole][f
 }
 
 TEST_CASE("a row of leaves hides the light only after 63 holes", "[textures][hole][foliage]") {
-    const Folder folder;
+    const SceneFolder folder;
     folder.write("hole.png", SmallPng(1, 1, {{{255, 255, 255, 0}}}).bytes());
     const int leaves = GENERATE(1, 63, 64);
     std::ostringstream out;

@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "model/core/config.hpp"
-#include "model/unit/shade/power.hpp"
-#include "model/unit/shade/square_root.hpp"
-#include "model/unit/shade/tables.hpp"
+#include "model/fixed/power.hpp"
+#include "model/fixed/square_root.hpp"
+#include "model/fixed/tables.hpp"
 #include "tests/support/dut/cell.hpp"
 
 namespace rayclock::test::power_test {

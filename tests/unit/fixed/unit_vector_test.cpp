@@ -1,8 +1,8 @@
 // unit_vector: a vector's direction, judged by long double, and its RTL against the model.
 #include <cmath>
 
-#include "model/unit/shade/tables.hpp"
-#include "model/unit/shade/unit_vector.hpp"
+#include "model/fixed/tables.hpp"
+#include "model/fixed/unit_vector.hpp"
 #include "tests/support/dut/cell.hpp"
 
 using namespace rayclock;
@@ -10,7 +10,7 @@ using namespace rayclock::test;
 
 namespace {
 
-constexpr int cell_bits = 44;   // the default width of rc_unit's operands
+constexpr int cell_bits = 44;   // the default width of rc_unit_vector's operands
 
 /// Draws vectors of every length up to `bits`: corner cases, components much shorter than the longest, and
 /// components whose lower 17 bits are nearly zero.
@@ -90,7 +90,7 @@ TEST_CASE("the RTL's unit vector is the model's, after exactly its latency, one 
     for (const bool idle : {false, true})
         for (unsigned seed = 11; seed <= 13; ++seed)
             check_cell(
-                {}, "rc_unit", "u", unit_stages, seed, 20000, idle,
+                {}, "rc_unit_vector", "u", unit_stages, seed, 20000, idle,
                 [](Draw& draw) { return draw_vector(draw, cell_bits); },
                 [](RtlModule& rtl, const Vec3l& v) {
                     Words words;

@@ -54,7 +54,7 @@ TEST_CASE("the units' RTL is built", "[.build]") {
                         {"rc_node_cache", "smallest", test::cache_config},
                         {"rc_prim_cache", "wide", test::cache_config},
                         {"rc_l2", "direct", test::cache_config},
-                        {"rc_unit", "default"},
+                        {"rc_unit_vector", "default"},
                         {"rc_power", "default"},
                         {"rc_pass", "all", test::shaded_format},
                         {"rc_pass", "plain", test::shaded_format},

@@ -45,9 +45,9 @@ void script(const fs::path& file, const std::string& text) {
     fs::permissions(file, fs::perms::owner_all);
 }
 
-/// Computes 1 / |(3, 4, 0)| with rc_unit. It is enough that it runs.
+/// Computes 1 / |(3, 4, 0)| with rc_unit_vector. It is enough that it runs.
 void run(const Config& config) {
-    RtlModule module(config, "rc_unit");
+    RtlModule module(config, "rc_unit_vector");
     module.reset();
     module.clock();
     CHECK(module.port("u").bytes > 0);
@@ -57,7 +57,7 @@ void run(const Config& config) {
 
 TEST_CASE("a library that is cut, gone or no library is built again before it is loaded", "[rtl]") {
     const Config config = test::format("default");
-    const RtlBuild real = build_rtl(config, "rc_unit");
+    const RtlBuild real = build_rtl(config, "rc_unit_vector");
     const OddFolder folder;
     // The tools found now only copy the library that the real ones built.
     script(folder.path / "bin/verilator", "/bin/mkdir obj; echo > obj/Vrc.cpp");
@@ -65,7 +65,7 @@ TEST_CASE("a library that is cut, gone or no library is built again before it is
            "while [ $# -gt 0 ]; do [ \"$1\" = -o ] && out=$2; shift; done; /bin/cp '" +
                real.library.string() + "' $out");
     const Variable cache("RAYCLOCK_CACHE", folder.path / "cache"), path("PATH", folder.path / "bin");
-    const fs::path library = build_rtl(config, "rc_unit").library;
+    const fs::path library = build_rtl(config, "rc_unit_vector").library;
     REQUIRE(library != real.library);
     // This comes first: a library that was loaded from a path may stay mapped, and the loader then returns it
     // for that path.
@@ -73,7 +73,7 @@ TEST_CASE("a library that is cut, gone or no library is built again before it is
     std::ofstream(other) << "no library, but sealed as if it were one";
     fs::rename(other, library);
     seal(library.parent_path(), "");
-    CHECK(build_rtl(config, "rc_unit").was_cached);
+    CHECK(build_rtl(config, "rc_unit_vector").was_cached);
     run(config);
     CHECK(fs::file_size(library) == fs::file_size(real.library));
     // Loading half of the library would end in SIGBUS. The truncated file replaces it by a rename for the
@@ -94,6 +94,6 @@ TEST_CASE("blanks, quotes and dollars in the paths of sources and cache do not m
     fs::copy(rtl_sources(), folder.path / "rtl", fs::copy_options::recursive);
     const Variable cache("RAYCLOCK_CACHE", folder.path / "cache"),
         sources("RAYCLOCK_RTL", folder.path / "rtl"), temporary("TMPDIR", folder.path);
-    CHECK(lint_rtl(config, "rc_unit") == "");
+    CHECK(lint_rtl(config, "rc_unit_vector") == "");
     run(config);
 }

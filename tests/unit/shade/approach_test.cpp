@@ -3,10 +3,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "model/unit/tri/test_primitive.hpp"
-#include "model/unit/shade/approach.hpp"
-#include "model/unit/shade/dot.hpp"
-#include "model/unit/shade/light.hpp"
+#include "model/unit/tri/any_primitive.hpp"
+#include "model/unit/shade/light/approach.hpp"
+#include "model/fixed/rounding.hpp"
+#include "model/unit/shade/light/light.hpp"
 #include "tests/support/cases/pass_cases.hpp"
 
 using namespace rayclock;
@@ -239,7 +239,7 @@ TEST_CASE("a ray that tests finite primitives only hits no plane", "[far]") {
             for (const std::uint32_t finite : {0u, 1u}) {
                 prim.kind = kind, ray.kind = of, ray.is_partial = finite;
                 TriRsp out;
-                test_primitive(ray, prim, {}, c, out);
+                any_primitive_test(ray, prim, {}, c, out);
                 CHECK(out.closer == !(finite && kind == PrimKind::plane));
             }
 }

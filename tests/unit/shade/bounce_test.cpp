@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "model/unit/shade/bounce.hpp"
+#include "model/unit/shade/bounce/bounce.hpp"
 
 using namespace rayclock;
 

@@ -4,10 +4,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "model/unit/shade/bounce.hpp"
-#include "model/unit/shade/dot.hpp"
-#include "model/unit/shade/light.hpp"
-#include "model/unit/shade/pass.hpp"
+#include "model/unit/shade/bounce/bounce.hpp"
+#include "model/fixed/rounding.hpp"
+#include "model/unit/shade/light/light.hpp"
+#include "model/unit/shade/pass/pass.hpp"
 #include "tests/support/cases/pass_cases.hpp"
 
 using namespace rayclock;

@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "model/scene/texture.hpp"
-#include "model/unit/shade/surf.hpp"
+#include "model/unit/shade/surface/surf.hpp"
 #include "sim/run/rtl/rtl_module.hpp"
 #include "tests/support/cases/pass_cases.hpp"
 

@@ -7,8 +7,8 @@
 
 #include "model/compile/surfaces.hpp"
 #include "model/scene/whitted.hpp"
-#include "model/unit/shade/bounce.hpp"
-#include "model/unit/shade/pass.hpp"
+#include "model/unit/shade/bounce/bounce.hpp"
+#include "model/unit/shade/pass/pass.hpp"
 
 using namespace rayclock;
 

@@ -2,7 +2,7 @@
 // have their known leaks. The sheared test is in sheared_test.cpp.
 #include "model/base/error.hpp"
 #include "model/engine/check.hpp"
-#include "model/unit/tri/unit24.hpp"
+#include "model/unit/tri/baselines/unit24.hpp"
 #include "tests/support/cases/primitive_cases.hpp"
 
 using namespace rayclock;

@@ -202,7 +202,7 @@ TEST_CASE("the tree loses no hit of the sheared test, and a closed surface shows
     const MemoryImage image = compile_scene(scene, camera.eye, config);
     REQUIRE(check_image(image, config, &scene).empty());
     std::vector<PrimData> all;
-    for_each_triangle(image, config, [&](const PrimData& t) { all.push_back(t); });
+    bvh::for_each_primitive(image, config, [&](const PrimData& t) { all.push_back(t); });
     const Frame frame = make_frame(camera, {48, 48}, image.lattice, config);
     const Trace trace = record_trace(image, frame, config, 1);
     int found = 0;

@@ -5,7 +5,7 @@
 //
 // Both directions are along * normal - ratio * view. A reflected one has along = 2 cosine and ratio
 // = 1. A refracted one has along = ratio * cosine - sqrt(1 - ratio^2 (1 - cosine^2)). Model:
-// model/unit/shade/bounce.hpp.
+// model/unit/shade/bounce/bounce.hpp.
 `default_nettype none
 module rc_bounce #(
   localparam int unsigned ValueBits = rc_pkg::ValueBits,

@@ -1,5 +1,5 @@
 // Converts a component of a unit vector (S1.16) to a component of a direction of M bits. No
-// magnitude exceeds 2^(M-2). Combinational. Model: direction_of() in model/unit/shade/dot.hpp.
+// magnitude exceeds 2^(M-2). Combinational. Model: direction_of() in model/fixed/rounding.hpp.
 `default_nettype none
 module rc_to_direction #(
   localparam int unsigned AxisBits = rc_pkg::AxisBits,

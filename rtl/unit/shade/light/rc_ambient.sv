@@ -1,7 +1,7 @@
 // The colour of a surface at the hit, and the contribution of ambient light. On a textured surface
 // this contribution is 0 until the texture's colour arrives; the pass *texture* multiplies the
 // colour. Part of rc_surf, which has the valid bits. The registers of s6 hold the colour, and the
-// registers of s7 the light. Model: model/unit/shade/surf.hpp.
+// registers of s7 the light. Model: model/unit/shade/surface/surf.hpp.
 `default_nettype none
 module rc_ambient #(
   localparam int unsigned ValueBits  = rc_pkg::ValueBits,

@@ -4,7 +4,7 @@
 // Part of rc_pass, which has the valid bits for surfaces and for lights. A signal's prefix names
 // its stage. s13_view_i and s13_normal_i belong to a surface that was met before, s13_view_o to the
 // one that is met now. Unit vectors are S1.16, cosines U1.16. Model: unit_dot() in
-// model/unit/shade/dot.hpp.
+// model/fixed/rounding.hpp.
 `default_nettype none
 module rc_angles #(
   localparam int unsigned ValueBits = rc_pkg::ValueBits,
@@ -38,14 +38,14 @@ module rc_angles #(
   localparam int unsigned SumW     = ProductW + 2;         // sum of three, S5.32
 
   // s13: the unit vector.
-  rc_unit #(.VectorW(UnitW)) u_unit (
+  rc_unit_vector #(.VectorW(UnitW)) u_unit (
     .clk_i, .valid_i(Every == 1 ? surf_i[Toward] || light_i[Toward] : phase_i[Toward*Every]),
     .v_i(s5_toward_i), .u_o(s13_unit_o));
 
   // s13: the view, against the ray.
   logic [3*AxisBits-1:0] s8_along, s8_view;
 
-  rc_unit #(.VectorW(M)) u_view (
+  rc_unit_vector #(.VectorW(M)) u_view (
     .clk_i, .valid_i(Every == 1 ? surf_i[0] : phase_i[0]), .v_i(s0_d_i), .u_o(s8_along));
 
   for (genvar k = 0; k < 3; k++) begin : gen_view

@@ -8,7 +8,7 @@
 //
 // Each axis stores the depth of a point in the lattice's slab, seen along the ray. The depth is
 // negative before the slab, and above 2 End behind it. So a step is one addition, and the sign of
-// the depth shows whether the slab lies ahead. Model: model/unit/shade/approach.hpp.
+// the depth shows whether the slab lies ahead. Model: model/unit/shade/light/approach.hpp.
 `default_nettype none
 module rc_approach #(
   localparam int unsigned N           = rc_pkg::CoordBits,

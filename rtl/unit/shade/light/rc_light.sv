@@ -3,7 +3,7 @@
 //
 // Part of rc_pass, which has the valid bits: valid_i[i] is set if stage i holds a pass for a light.
 // A signal's prefix names its stage. Values are U1.16, colours of a surface U1.12, colours of a
-// light U5.12. Model: model/unit/shade/light.hpp.
+// light U5.12. Model: model/unit/shade/light/light.hpp.
 `default_nettype none
 module rc_light #(
   localparam int unsigned ValueBits  = rc_pkg::ValueBits,

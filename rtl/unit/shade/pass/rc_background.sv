@@ -1,6 +1,6 @@
 // The background's contribution to a pixel: its colour times the weight of a ray that met nothing,
 // or of a bounce that is not traced. Part of rc_pass, which uses it in its last stage. Model:
-// see_background() in model/unit/shade/pass.cpp.
+// see_background() in model/unit/shade/pass/pass.cpp.
 `default_nettype none
 module rc_background #(
   localparam int unsigned ValueBits = rc_pkg::ValueBits,

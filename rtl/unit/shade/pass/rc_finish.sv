@@ -1,6 +1,6 @@
 // The end of a sample: the sums of the pixel, whether another sample follows, and otherwise the
 // pixel's colour. Part of rc_pass, which has the valid bits. Results are in the registers of s4.
-// Model: finish() in model/unit/shade/pass.cpp.
+// Model: finish() in model/unit/shade/pass/pass.cpp.
 `default_nettype none
 module rc_finish #(
   localparam int unsigned ValueBits = rc_pkg::ValueBits,

@@ -8,7 +8,7 @@
 //
 // A pass stays in each stage for ShadeInterval cycles, and the registers before the stage hold its
 // inputs. So products of a stage can share a multiplier (rc_mul_held). Model: pass() in
-// model/unit/shade/pass.hpp.
+// model/unit/shade/pass/pass.hpp.
 `default_nettype none
 module rc_pass #(
   localparam int unsigned ValueBits   = rc_pkg::ValueBits,

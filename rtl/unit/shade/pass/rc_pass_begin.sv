@@ -1,5 +1,5 @@
 // The start of a pass: its event, and the context's state after it. Part of rc_pass; combinational.
-// Model: pass() in model/unit/shade/pass.cpp.
+// Model: pass() in model/unit/shade/pass/pass.cpp.
 `default_nettype none
 module rc_pass_begin #(
   localparam int unsigned ValueBits = rc_pkg::ValueBits,

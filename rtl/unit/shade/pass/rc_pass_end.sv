@@ -5,7 +5,7 @@
 // and take_i latches it. Inputs that wait in parts come two cycles before take_i (rc_stage_delay).
 // So at most two registers may lie in a row.
 //
-// Model: pass() and its parts in model/unit/shade/pass.cpp.
+// Model: pass() and its parts in model/unit/shade/pass/pass.cpp.
 `default_nettype none
 module rc_pass_end #(
   localparam int unsigned ValueBits   = rc_pkg::ValueBits,
@@ -151,7 +151,7 @@ module rc_pass_end #(
   assign after = lit ? rc_pkg::EventLight : unlit;
 
   // With two levels a refracted ray is sent only if a component of its direction reaches a quarter
-  // of a unit vector: shortest_held() in model/unit/shade/bounce.hpp.
+  // of a unit vector: shortest_held() in model/unit/shade/bounce/bounce.hpp.
   logic held;
   if (rc_pkg::HasHomes) begin : gen_held
     localparam logic signed [RayDirBits-1:0] Quarter = RayDirBits'(1) <<< (M - 4);

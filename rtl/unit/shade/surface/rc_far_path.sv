@@ -4,7 +4,7 @@
 // second and 5/16 of the smallest.
 //
 // Part of rc_pass, which has the valid bits; the result is in the registers of s8. Exists only in a
-// chip with textures and planes. Model: path_to() in model/unit/shade/surf.hpp.
+// chip with textures and planes. Model: path_to() in model/unit/shade/surface/surf.hpp.
 `default_nettype none
 module rc_far_path #(
   localparam int unsigned OriginWidth = rc_pkg::OriginWidth,

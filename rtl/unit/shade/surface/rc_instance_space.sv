@@ -7,7 +7,7 @@
 // A ray that leaves, or a shadow ray that ends, goes the other way. In the mesh's space it begins
 // or ends exactly at the point that was found there. Its direction there selects the side of the
 // triangle. A light is rounded to a lattice point of the mesh. Models: transform_surface() in
-// model/unit/shade/surf.hpp, Home in model/core/payloads.hpp.
+// model/unit/shade/surface/surf.hpp, Home in model/core/payloads.hpp.
 `default_nettype none
 module rc_instance_space #(
   parameter  int unsigned UnitW = 44,   // bits of toward

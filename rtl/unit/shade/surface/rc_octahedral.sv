@@ -7,7 +7,7 @@
 // The 1 in L keeps both quotients below h. Part of rc_pass, which has the valid bits. From s14 on,
 // two dividers run in parallel with the pass. The place is in the output registers Steps + 1 cycles
 // after s14 begins. Exists only in a chip with textures and spheres. Model: octahedral() in
-// model/unit/shade/surf.hpp.
+// model/unit/shade/surface/surf.hpp.
 `default_nettype none
 module rc_octahedral #(
   localparam int unsigned AxisBits = rc_pkg::AxisBits,

@@ -1,7 +1,7 @@
 // The length of the path from the eye to a hit, for the level of its texture: path + t |d|, rounded
 // down and saturated. |d| counts as its largest component plus 3/8 of the second and 5/16 of the
 // smallest. Part of rc_pass, which has the valid bits; the result is in the registers of s3. Model:
-// path_to() in model/unit/shade/surf.hpp.
+// path_to() in model/unit/shade/surface/surf.hpp.
 `default_nettype none
 module rc_path_length #(
   localparam int unsigned M     = rc_pkg::DirBits,

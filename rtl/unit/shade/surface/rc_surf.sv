@@ -2,11 +2,11 @@
 // which has the valid bits: valid_i[i] is set if stage i holds a pass for a surface.
 //
 // o, n, far, lost and the vector along the normal are in the registers of s5. The albedo is in
-// those of s6, the ambient light in those of s7. Model: model/unit/shade/surf.hpp.
+// those of s6, the ambient light in those of s7. Model: model/unit/shade/surface/surf.hpp.
 `default_nettype none
 module rc_surf #(
-  localparam int unsigned ValueBits = rc_pkg::ValueBits,
-  parameter  int unsigned UnitW = 44,   // bits of toward
+  localparam int unsigned ValueBits   = rc_pkg::ValueBits,
+  parameter  int unsigned UnitW       = 44,   // bits of toward
   localparam int unsigned N           = rc_pkg::CoordBits,
   localparam int unsigned M           = rc_pkg::DirBits,
   localparam int unsigned OriginBits  = rc_pkg::OriginBits,
@@ -15,37 +15,37 @@ module rc_surf #(
   localparam int unsigned NormalBits  = rc_pkg::NormalBits,
   localparam int unsigned TBits       = rc_pkg::TBits,
   localparam int unsigned UvBits      = rc_pkg::UvBits,
-  localparam int unsigned Every = rc_pkg::ShadeInterval
+  localparam int unsigned Every       = rc_pkg::ShadeInterval
 ) (
-  input  logic                     clk_i,
-  input  logic [6:0]               valid_i,
-  input  logic [7*Every-1:0]       phase_i,    // the cycle of each stage
+  input  logic                            clk_i,
+  input  logic [6:0]                      valid_i,
+  input  logic [7*Every-1:0]              phase_i,  // the cycle of each stage
   // Answer, surface and ray
-  input  logic [UvBits-1:0]        s0_u_i,
-  input  logic [UvBits-1:0]        s0_v_i,
-  input  logic [TBits-1:0]         s0_t_i,
-  input  logic                     s0_back_i,
-  input  rc_pkg::surface_t         s0_surface_i,
-  input  logic [3*OriginWidth-1:0] s0_o_i,
-  input  logic [3*M-1:0]           s0_d_i,
-  input  logic [ValueBits-1:0]     s0_weight_i,
+  input  logic [UvBits-1:0]               s0_u_i,
+  input  logic [UvBits-1:0]               s0_v_i,
+  input  logic [TBits-1:0]                s0_t_i,
+  input  logic                            s0_back_i,
+  input  rc_pkg::surface_t                s0_surface_i,
+  input  logic [3*OriginWidth-1:0]        s0_o_i,
+  input  logic [3*M-1:0]                  s0_d_i,
+  input  logic [ValueBits-1:0]            s0_weight_i,
   // The same for passes of a surface or of a texture's colour, and the inputs of the latter
-  input  logic [6:0]               tone_valid_i,
-  input  logic                     s0_texture_i,
+  input  logic [6:0]                      tone_valid_i,
+  input  logic                            s0_texture_i,
   input  logic [3*rc_pkg::ColourBits-1:0] s0_albedo_i,
   input  logic [rc_pkg::ColourBits-1:0]   s0_share_i,
   input  logic [3*rc_pkg::ColourBits-1:0] s0_texel_i,
   // Results
-  output logic [3*PointWidth-1:0]  s5_o_o,
-  output logic [3*NormalBits-1:0]  s5_n_o,
-  output logic [3*UnitW-1:0]       s5_toward_o,
-  output logic                     s5_far_o,   // beyond the lattice,
-  output logic                     s5_lost_o,  // and beyond the range of o
+  output logic [3*PointWidth-1:0]         s5_o_o,
+  output logic [3*NormalBits-1:0]         s5_n_o,
+  output logic [3*UnitW-1:0]              s5_toward_o,
+  output logic                            s5_far_o,  // beyond the lattice,
+  output logic                            s5_lost_o,  // and beyond the range of o
   output logic [3*rc_pkg::ColourBits-1:0] s6_albedo_o,
-  output logic [3*ValueBits-1:0]    s7_ambient_o
+  output logic [3*ValueBits-1:0]          s7_ambient_o
 );
-  localparam int unsigned CornerBits  = rc_pkg::CornerBits;
-  localparam int unsigned BaryBits    = rc_pkg::BaryBits;
+  localparam int unsigned CornerBits = rc_pkg::CornerBits;
+  localparam int unsigned BaryBits   = rc_pkg::BaryBits;
   // Drop: number of low bits that rounding removes from u and v.
   localparam int unsigned Drop        = BaryBits - OriginBits;
   // MostFine: largest number of these bits that stay, on triangles with coarse edges.
@@ -62,30 +62,30 @@ module rc_surf #(
   localparam int unsigned NormalSumW  = WeightW + 2 + CornerBits + 2;
 
   // s1: edges; u and v rounded; kind.
-  logic                  s0_sphere, s0_plane;
-  logic [4:1]            sphere_q;
-  logic [4:0]            sphere;   // [stage]
-  logic [3*N-1:0]        s0_a, s0_b, s0_c;
-  logic                  s0_smooth;
-  logic [3*DiffW-1:0]    s1_e1_q, s1_e2_q;
+  logic                      s0_sphere, s0_plane;
+  logic [4:1]                sphere_q;
+  logic [4:0]                sphere;   // [stage]
+  logic [3*N-1:0]            s0_a, s0_b, s0_c;
+  logic                      s0_smooth;
+  logic [3*DiffW-1:0]        s1_e1_q, s1_e2_q;
   logic signed [WeightW-1:0] s0_u, s0_v, s1_u_q, s1_v_q;
-  logic              s1_plane_q, s0_ends, s0_odd;
-  logic [2:0] s0_fine, s1_fine_q, s2_fine_q;
+  logic                      s1_plane_q, s0_ends, s0_odd;
+  logic [2:0]                s0_fine, s1_fine_q, s2_fine_q;
 
-  assign s0_fine      = s0_plane ? 3'd0 : s0_surface_i.fine;
-  assign s0_sphere    = rc_pkg::Spheres && s0_surface_i.kind == rc_pkg::PrimSphere;
-  assign s0_plane     = rc_pkg::Planes && s0_surface_i.kind == rc_pkg::PrimPlane;
-  assign sphere       = {sphere_q, s0_sphere};
+  assign s0_fine   = s0_plane ? 3'd0 : s0_surface_i.fine;
+  assign s0_sphere = rc_pkg::Spheres && s0_surface_i.kind == rc_pkg::PrimSphere;
+  assign s0_plane  = rc_pkg::Planes && s0_surface_i.kind == rc_pkg::PrimPlane;
+  assign sphere    = {sphere_q, s0_sphere};
 
   always_ff @(posedge clk_i) begin
     for (int i = 0; i < 4; i++)
       if (Every == 1 || valid_i[i]) sphere_q[i+1] <= sphere[i];
   end
 
-  assign s0_a         = s0_surface_i.a;
-  assign s0_b         = s0_surface_i.b;
-  assign s0_c         = s0_surface_i.c;
-  assign s0_smooth    = rc_pkg::Smooth && s0_surface_i.smooth && !s0_sphere;
+  assign s0_a      = s0_surface_i.a;
+  assign s0_b      = s0_surface_i.b;
+  assign s0_c      = s0_surface_i.c;
+  assign s0_smooth = rc_pkg::Smooth && s0_surface_i.smooth && !s0_sphere;
   assign s0_ends      = s0_plane && (s0_u_i[UvBits-2:0] == {(UvBits-1){!s0_u_i[UvBits-1]}}
                                      || s0_v_i[UvBits-2:0] == {(UvBits-1){!s0_v_i[UvBits-1]}});
 
@@ -154,10 +154,10 @@ module rc_surf #(
   logic                      s1_in, s1_more, s1_u_more;   // more: u is greater than v
   logic signed [WeightW-1:0] s1_one;
 
-  assign s1_one    = $signed(WeightW'(1 << OriginBits)) << s1_fine_q;
-  assign s1_in     = s1_plane_q || s1_u_q + s1_v_q < s1_one;
-  assign s1_over   = s1_in ? '0 : s1_u_q + s1_v_q - s1_one + $signed(WeightW'(1));
-  assign s1_more   = s1_u_q > s1_v_q;
+  assign s1_one  = $signed(WeightW'(1 << OriginBits)) << s1_fine_q;
+  assign s1_in   = s1_plane_q || s1_u_q + s1_v_q < s1_one;
+  assign s1_over = s1_in ? '0 : s1_u_q + s1_v_q - s1_one + $signed(WeightW'(1));
+  assign s1_more = s1_u_q > s1_v_q;
 
   rc_path_register #(.Width(WeightW + 1), .Stages(rc_pkg::PassCut)) u_excess (
     .clk_i, .data_i({s1_over, s1_more}), .data_o({s1_excess, s1_u_more}));
@@ -229,8 +229,8 @@ module rc_surf #(
     logic signed [NormalBits-1:0]    s3_cross_q;
 
     assign s3_cross[k*NormalBits +: NormalBits] = s3_cross_q;
-    assign s2_e1[k*DiffW +: DiffW] = s2_e1_q;
-    assign s2_e2[k*DiffW +: DiffW] = s2_e2_q;
+    assign s2_e1[k*DiffW +: DiffW]              = s2_e1_q;
+    assign s2_e2[k*DiffW +: DiffW]              = s2_e2_q;
 
     always_ff @(posedge clk_i) begin
       if (valid_i[1] && !sphere[1]) begin
@@ -266,14 +266,14 @@ module rc_surf #(
     logic signed [PlanePointW-1:0] s4_at;
     logic signed [NormalBits-1:0]  s4_n;
     logic [PointWidth-1:0]         s4_o;
-    logic signed [UnitW-1:0] s4_toward;
+    logic signed [UnitW-1:0]       s4_toward;
     localparam logic signed [PlanePointW-1:0] Most =
         PlanePointW'((65'(1) << (PointWidth - 1)) - 65'd1);
     localparam logic signed [PlanePointW-1:0] End =
         PlanePointW'(((65'(1) << (N - 1)) - 65'd1) << OriginBits);
 
-    assign s4_at        = $signed(s4_at_q[k*PlanePointW +: PlanePointW]);
-    assign s4_beyond[k] = s4_at > Most || s4_at < -Most;
+    assign s4_at         = $signed(s4_at_q[k*PlanePointW +: PlanePointW]);
+    assign s4_beyond[k]  = s4_at > Most || s4_at < -Most;
     assign s4_outside[k] = s4_at > End || s4_at < -End;
     assign s4_o = sphere[4] ? PointWidth'($signed(s4_ray_point[k*OriginWidth +: OriginWidth]))
                 : s4_at > Most ? Most[PointWidth-1:0]

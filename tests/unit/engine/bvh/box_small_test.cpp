@@ -87,10 +87,10 @@ std::uint64_t hits_lost(const Config& config, std::uint64_t first, std::uint64_t
         LatticeBox bounds;
         for (const Vec3i& point : {req.triangle.a, req.triangle.b, req.triangle.c}) bounds.add(point);
         LatticeBox neighbour{{-1, -1, -1}, {0, 0, 0}};   // so that the node's corner is not the box's
-        const NodeChild children[] = {{bounds, 1}, {neighbour, 1}};
+        const bvh::NodeChild children[] = {{bounds, 1}, {neighbour, 1}};
         if (ray.d != req.d || i == first) set_direction(ray, req.d, config);
         ray.req.o = req.o;
-        static_cast<Node&>(ray.req.node) = encode_node(children, 0, config);
+        static_cast<Node&>(ray.req.node) = bvh::encode_node(children, 0, config);
         const auto said = reported(box(ray.req, config), 0);
         lost += !said || *said > hit.t;
     }
