@@ -18,13 +18,14 @@ module rc_chip #(
   output logic [31:0]                               wb_dat_o,
   output logic                                      wb_ack_o,
   output logic                                      wb_err_o,
-  // Memory: lines of 64 bytes, read only; answers by id in any order, always accepted
+  // Memory: reads of lines of 64 bytes, and writes if the chip writes hits; answers to reads by id
+  // in any order, always accepted
   output logic                                      mem_req_valid_o,
   input  logic                                      mem_req_ready_i,
   output rc_pkg::mem_req_t                          mem_req_o,
   input  logic                                      mem_rsp_fires_i,
   input  rc_pkg::mem_rsp_t                          mem_rsp_i,
-  // Picture, pixel by pixel in arbitrary order: one stream per pipeline
+  // Picture, pixel by pixel in arbitrary order: one stream per pipeline. Idle if hits are written
   output logic [rc_pkg::Pipelines-1:0]              hit_valid_o,
   input  logic [rc_pkg::Pipelines-1:0]              hit_ready_i,
   output logic [rc_pkg::Pipelines*rc_pkg::HitW-1:0] hit_o,
@@ -39,11 +40,12 @@ module rc_chip #(
   logic [rc_pkg::CounterBits-1:0] counter;
   logic [rc_pkg::TallyBits-1:0] counter_value;
   logic [Units*rc_pkg::CauseBits-1:0] causes;
+  logic [rc_pkg::MostAnswers-1:0] hit_fires;
 
   rc_host #(.Counters(Counters)) u_host (
     .clk_i, .rst_ni,
     .wb_cyc_i, .wb_stb_i, .wb_we_i, .wb_adr_i, .wb_dat_i, .wb_dat_o, .wb_ack_o, .wb_err_o,
-    .start_o(start), .frame_o(frame), .hit_fires_i(hit_valid_o & hit_ready_i),
+    .start_o(start), .frame_o(frame), .hit_fires_i(hit_fires),
     .count_o(count), .clear_o(clear), .counter_o(counter),
     .counter_there_i(counter_there), .counter_i(counter_value), .running_o, .done_o);
 
@@ -61,6 +63,6 @@ module rc_chip #(
   rc_top u_top (
     .clk_i, .rst_ni, .start_i(start), .frame_i(frame),
     .mem_req_valid_o, .mem_req_ready_i, .mem_req_o, .mem_rsp_fires_i, .mem_rsp_i,
-    .hit_valid_o, .hit_ready_i, .hit_o, .causes_o(causes));
+    .hit_valid_o, .hit_ready_i, .hit_o, .hit_fires_o(hit_fires), .causes_o(causes));
 endmodule
 `default_nettype wire

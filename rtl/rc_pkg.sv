@@ -77,6 +77,9 @@ package rc_pkg;
   localparam int unsigned OriginBits = 0;
   localparam bit HasShade = 0;
   localparam bit IsStream = 0;
+  localparam bit WritesHits = 0;
+  localparam int unsigned HitsOfLine = 4;
+  localparam int unsigned MostAnswers = 1;
   localparam bit HasTextures = 0;
   localparam bit HasPrimKinds = 0;
   localparam int unsigned HoleBits = 6;
@@ -349,6 +352,11 @@ package rc_pkg;
     MemportStalledMemory = 3'd2
   } memport_cause_e;
   typedef enum logic [2:0] {
+    HitsBusyWork = 3'd0,
+    HitsStarvedSched = 3'd1,
+    HitsStalledMemory = 3'd2
+  } hits_cause_e;
+  typedef enum logic [2:0] {
     DecideBusyWork = 3'd0,
     DecideStarvedMemory = 3'd1,
     DecideStarvedTrav = 3'd2,
@@ -573,13 +581,13 @@ package rc_pkg;
   localparam int unsigned StreamUnit = 17;
   localparam int unsigned DecideUnit = 4;
   localparam int unsigned MeshUnit = 4;
-  localparam int unsigned SharedUnits = 3;
+  localparam int unsigned SharedUnits = 4;
   localparam logic [17:0] PipelineUnitsThere = {
     1'd0, 1'd0, 1'd0, 1'd0, 1'd0, 1'd0, 1'd1, 1'd1,
     1'd1, 1'd0, 1'd0, 1'd0, 1'd0, 1'd1, 1'd1, 1'd1,
     1'd1, 1'd1};
-  localparam logic [2:0] SharedUnitsThere = {
-    1'd0, 1'd1, 1'd1};
+  localparam logic [3:0] SharedUnitsThere = {
+    1'd0, 1'd0, 1'd1, 1'd1};
 
   // What the links carry: model/machine/links.hpp.
 
@@ -1101,6 +1109,12 @@ package rc_pkg;
   localparam int unsigned PixelW = 97;
 
   typedef struct packed {
+    logic [3:0] id;
+    logic [23:0] addr;
+  } l2_miss_t;
+  localparam int unsigned L2MissW = 28;
+
+  typedef struct packed {
     logic [13:0] x;
     logic [13:0] y;
     logic [2:0] next_event;
@@ -1547,4 +1561,16 @@ package rc_pkg;
     logic [7:0] cutoff;
   } tex_record_t;
   localparam int unsigned TexRecordW = 231;
+
+  typedef struct packed {
+    logic valid;
+    logic [13:0] y;
+    logic [13:0] x;
+    logic found;
+    logic [31:0] prim;
+    logic [23:0] t;
+    logic [16:0] u;
+    logic [16:0] v;
+  } hit_record_t;
+  localparam int unsigned HitRecordW = 120;
 endpackage

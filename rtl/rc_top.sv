@@ -22,10 +22,12 @@ module rc_top #(
   output rc_pkg::mem_req_t                          mem_req_o,
   input  logic                                      mem_rsp_fires_i,
   input  rc_pkg::mem_rsp_t                          mem_rsp_i,
-  // Picture, one stream per pipeline
+  // Picture, one stream per pipeline; idle in a chip that writes hits
   output logic [rc_pkg::Pipelines-1:0]              hit_valid_o,
   input  logic [rc_pkg::Pipelines-1:0]              hit_ready_i,
   output logic [rc_pkg::Pipelines*rc_pkg::HitW-1:0] hit_o,
+  // To the host: one bit for each answer that leaves the chip
+  output logic [rc_pkg::MostAnswers-1:0]            hit_fires_o,
   // What each unit did in this cycle: shared units lowest, then pipeline by pipeline
   output logic [Units*rc_pkg::CauseBits-1:0] causes_o
 );
@@ -62,6 +64,8 @@ module rc_top #(
   // fourth client reads textures, if the chip has them.
   logic [Clients*Pipelines-1:0]                     miss_valid, miss_ready, fill_fires;
   logic [Clients*Pipelines*(CacheIdW+AddrBits)-1:0] miss;
+  logic [Pipelines-1:0]                             hit_valid, hit_ready;
+  logic [Pipelines*rc_pkg::HitW-1:0]                hit;
   logic                                             fill_valid;
   rc_pkg::l2_rsp_t                                  fill;
   logic [ClientBits-1:0]                            fill_client;
@@ -100,8 +104,8 @@ module rc_top #(
       .stream_miss_valid_o(record_valid), .stream_miss_ready_i(record_ready),
       .stream_miss_o({record_id, record_addr}), .stream_fill_fires_i(record_fires),
       .stream_fill_i({fill_id[RecordIdW-1:0], fill.line}),
-      .hit_valid_o(hit_valid_o[p]), .hit_ready_i(hit_ready_i[p]),
-      .hit_o(hit_o[p*rc_pkg::HitW +: rc_pkg::HitW]),
+      .hit_valid_o(hit_valid[p]), .hit_ready_i(hit_ready[p]),
+      .hit_o(hit[p*rc_pkg::HitW +: rc_pkg::HitW]),
       .causes_o(causes_o[SharedCauseW+p*PipelineCauseW +: PipelineCauseW]));
 
     assign miss[Clients*p*(CacheIdW+AddrBits) +: CacheIdW+AddrBits] =
@@ -158,28 +162,66 @@ module rc_top #(
     assign fill_fires[k] = fill_valid && fill_client == ClientBits'(k);
   end
 
-  logic [rc_pkg::CauseBits-1:0] memport_cause, l2_cause;
+  logic [rc_pkg::CauseBits-1:0] memport_cause, l2_cause, hits_cause;
 
   assign memport_cause = !client_valid ? rc_pkg::MemportStarvedCaches
                        : client_ready ? rc_pkg::MemportBusyWork : rc_pkg::MemportStalledMemory;
-  assign causes_o[SharedCauseW-1:0] = {l2_cause, memport_cause, dispatch_cause};
+  assign causes_o[SharedCauseW-1:0] = {hits_cause, l2_cause, memport_cause, dispatch_cause};
 
   // Memory directly, or through the shared cache.
+  logic             read_valid, read_ready;
+  rc_pkg::l2_miss_t read;
+
   if (rc_pkg::L2Sets == 0) begin : gen_direct
-    assign mem_req_valid_o = client_valid;
-    assign client_ready    = mem_req_ready_i;
-    assign mem_req_o       = {client, client_miss};
-    assign fill_valid      = mem_rsp_fires_i;
-    assign fill            = mem_rsp_i;
-    assign l2_cause        = '0;
+    assign read_valid   = client_valid;
+    assign client_ready = read_ready;
+    assign read         = {client, client_miss};
+    assign fill_valid   = mem_rsp_fires_i;
+    assign fill         = mem_rsp_i;
+    assign l2_cause     = '0;
   end else begin : gen_shared
     logic unused;
     rc_l2 u_l2 (
       .clk_i, .rst_ni(shared_rst_n),
       .req_valid_i(client_valid), .req_ready_o(client_ready), .req_i({client, client_miss}),
       .rsp_valid_o(fill_valid), .rsp_ready_i(1'b1), .rsp_o(fill),
-      .miss_valid_o(mem_req_valid_o), .miss_ready_i(mem_req_ready_i), .miss_o(mem_req_o),
+      .miss_valid_o(read_valid), .miss_ready_i(read_ready), .miss_o(read),
       .fill_fires_i(mem_rsp_fires_i), .fill_i(mem_rsp_i), .waits_o(unused), .outcome_o(l2_cause));
+  end
+
+  // Reads and answers leave through their own ports, or lines of answers share the memory's port.
+  if (!rc_pkg::WritesHits) begin : gen_reads
+    assign mem_req_valid_o = read_valid;
+    assign read_ready      = mem_req_ready_i;
+    assign mem_req_o       = read;
+    assign hit_valid_o     = hit_valid;
+    assign hit_ready       = hit_ready_i;
+    assign hit_o           = hit;
+    assign hit_fires_o       = hit_valid & hit_ready_i;
+    assign hits_cause      = '0;
+  end else begin : gen_hits
+    logic                        line_valid, line_ready, is_write;
+    logic [AddrBits-1:0]         line_addr;
+    logic [rc_pkg::LineBits-1:0] line;
+    logic [rc_pkg::L2MissW-1:0]  request;
+
+    rc_hits u_hits (
+      .clk_i, .rst_ni(shared_rst_n), .start_i, .frame_i,
+      .hit_valid_i(hit_valid), .hit_ready_o(hit_ready), .hit_i(hit),
+      .line_valid_o(line_valid), .line_ready_i(line_ready), .line_addr_o(line_addr),
+      .line_o(line), .written_o(hit_fires_o), .cause_o(hits_cause));
+
+    rc_arbiter #(.Sources(2), .Width(rc_pkg::L2MissW)) u_port (
+      .clk_i, .rst_ni(shared_rst_n), .valid_i({line_valid, read_valid}),
+      .ready_o({line_ready, read_ready}), .data_i({rc_pkg::L2MissW'(line_addr), read}),
+      .valid_o(mem_req_valid_o), .ready_i(mem_req_ready_i), .source_o(is_write),
+      .data_o(request));
+
+    assign mem_req_o            = {line, is_write, request};
+    assign {hit_valid_o, hit_o} = '0;
+
+    logic unused;
+    assign unused = ^hit_ready_i;
   end
 endmodule
 `default_nettype wire

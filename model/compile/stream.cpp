@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/base/error.hpp"
+#include "model/core/payloads.hpp"
 #include "model/layout/words.hpp"
 
 namespace rayclock {
@@ -141,8 +142,11 @@ RayRecord ray_to_nowhere(const Config& config) {
 }
 
 void place_rays(MemoryImage& image, std::span<const RayRecord> rays, const Config& config) {
-    const auto burst = std::uint32_t(config.stream_line / line_bytes);
-    const std::uint64_t first = (std::uint64_t(image.lines()) + burst - 1) / burst * burst,
+    const auto at_multiple = [](std::uint64_t line, int burst_bytes) {
+        const auto burst = std::uint64_t(burst_bytes / line_bytes);
+        return (line + burst - 1) / burst * burst;
+    };
+    const std::uint64_t first = at_multiple(image.lines(), config.stream_line),
                         lines = (std::uint64_t(rays.size()) + 1) / 2,
                         most = std::uint64_t(1) << config.addr_bits;
     if (rays.size() >> 2 * config.pixel_bits != 0)
@@ -154,6 +158,10 @@ void place_rays(MemoryImage& image, std::span<const RayRecord> rays, const Confi
                         std::to_string(first + lines) + " lines of memory, and addr_bits=" +
                         std::to_string(config.addr_bits) + " allows " + std::to_string(most));
     image.first_ray_line = std::uint32_t(first);
+    // Hits begin a line of every cache, so no cache reads what is written.
+    image.first_hit_line = std::uint32_t(at_multiple(first + lines, config.longest_line()));
+    const auto in_line = std::uint64_t(hits_of_line(config));
+    image.hit_lines = std::uint32_t((std::uint64_t(rays.size()) + in_line - 1) / in_line);
     image.records.assign(std::size_t(lines) * words_per_line, 0);
     image.report.bytes = (std::uint64_t(first) + lines) * line_bytes;
     Words scratch;
@@ -167,6 +175,7 @@ Frame make_stream_frame(const MemoryImage& image, std::size_t rays, const Config
     frame.height = std::uint32_t((rays + frame.width - 1) / frame.width);
     frame.ray_count = std::uint32_t(rays);
     frame.first_ray_line = image.first_ray_line;
+    frame.first_hit_line = image.first_hit_line;
     frame.listed_primitives = image.listed_primitives;
     return frame;
 }

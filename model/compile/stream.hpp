@@ -48,7 +48,8 @@ RayRecord ray_to_nowhere(const Config& config);
 bool meets_plane_outside(const Scene& scene, const StreamRay& ray, std::optional<double> begin);
 
 /// Puts the rays of a stream behind the scene, two in a line. Throws UserError if the memory has too few
-/// lines, or the chip cannot number the rays.
+/// lines, or the chip cannot number the rays. The lines behind the rays are for their hits, if the chip
+/// writes them; check_capacity() checks these.
 void place_rays(MemoryImage& image, std::span<const RayRecord> rays, const Config& config);
 
 /// Returns the registers of a frame that traces the image's stream of rays.

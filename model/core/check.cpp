@@ -103,10 +103,6 @@ void check_optional_units(const Config& c, const Refuse& refuse) {
             refuse(std::string(key) + "=1 needs source=camera: a chip for ray streams has no unit shade");
     if (c.is_stream() && c.scan_out)
         refuse("scan_out=1 needs source=camera: a stream of rays draws no picture");
-    constexpr int max_hit_bits = 128;
-    if (const int bits = 2 + c.prim_bits + c.t_bits() + 2 * c.uv_bits() + (c.has_homes() ? c.addr_bits : 0);
-        c.is_stream() && c.pixel_writes && bits > max_hit_bits)
-        refuse("pixel_writes=1 writes hits of 128 bits, and a hit of this chip has " + std::to_string(bits));
 }
 
 void check_board(const Config& c, const Refuse& refuse) {

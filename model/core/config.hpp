@@ -110,6 +110,8 @@ struct Config {
     /// True if rays come from records in memory. They may begin anywhere, so shading is set as well.
     bool is_stream() const { return shading && source == RaySource::stream; }
     bool has_shade() const { return shading && !is_stream(); }
+    /// True if the chip writes the answers to its rays into memory, as records (HitRecord).
+    bool writes_hits() const { return is_stream() && pixel_writes; }
     bool has_textures() const { return has_shade() && textures; }
     bool has_homes() const { return has_instances() && shading; }   ///< rays start from instances
     /// Secondary rays name the sphere that they leave, or at which a shadow ray ends. Rays of a stream do

@@ -98,6 +98,7 @@ struct Frame {
     std::uint32_t width = 0, height = 0;
     std::uint32_t ray_count = 0;        ///< with a stream: the number of its rays
     std::uint32_t first_ray_line = 0;   ///< with a stream: line of the first two rays
+    std::uint32_t first_hit_line = 0;   ///< line of the first hits, if the chip writes them
     std::uint32_t root = 0;   ///< line of the root node, or the first line of the list of primitives
     std::uint32_t listed_primitives = 0;   ///< number of primitives in the list, without a tree
     Vec3i eye{};                           ///< lattice point
@@ -107,6 +108,7 @@ struct Frame {
         if (c.is_stream()) {
             v("ray_count", ray_count, 2 * c.pixel_bits);
             v("rays", first_ray_line, c.addr_bits);
+            if (c.writes_hits()) v("hits", first_hit_line, c.addr_bits);
         } else {
             v("width", width, c.pixel_bits + 1);
             v("height", height, c.pixel_bits + 1);

@@ -116,7 +116,20 @@ using TexMiss = LineReq<&Config::tex_miss_bits>;
 using TexFill = LineRsp<&Config::tex_miss_bits>;
 using L2Req = LineReq<&Config::client_id_bits>;   ///< arbiter -> shared cache, or memory if there is none
 using L2Rsp = LineRsp<&Config::client_id_bits>;
-using MemReq = LineReq<&Config::mem_id_bits>;   ///< chip -> DRAM
+using L2Miss = LineReq<&Config::mem_id_bits>;   ///< shared cache -> memory port
+/// chip -> DRAM: a read, or in a chip that writes hits also a write of a line. A write has no answer. The
+/// line of a read is arbitrary: hits that wait for their line to be full.
+struct MemReq {
+    std::uint32_t id = 0, addr = 0;   ///< a write's id is 0
+    std::uint32_t is_write = 0;
+    Line line{};
+    template <class V> void fields(V& v, const Config& c) {
+        if (c.writes_hits()) v("line", line, 32, 16);
+        if (c.writes_hits()) v("is_write", is_write, 1);
+        v("id", id, c.mem_id_bits());
+        v("addr", addr, c.addr_bits);
+    }
+};
 using MemRsp = LineRsp<&Config::mem_id_bits>;
 
 }   // namespace rayclock

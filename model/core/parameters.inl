@@ -106,4 +106,4 @@ NUMBER(dram_channels, host, 1, 1, max_dram_channels, "channels", dram, "channels
 NUMBER(mem_latency, host, 8, 1, 10000, "cycles", ideal, "ideal memory: from a request to its answer")
 NUMBER(mem_interval, host, 1, 1, 1000, "cycles", ideal, "ideal memory: between two requests")
 FLAG(scan_out, host, always, "1: a screen of 640x480 pixels is read 60 times a second")
-FLAG(pixel_writes, host, always, "1: finished pixels are written to the memory; with source=stream, hits of 16 bytes")
+FLAG(pixel_writes, host, always, "1: finished pixels are written to the memory; with source=stream, the unit hits writes the answers to rays")

@@ -49,8 +49,10 @@ struct MemoryImage {
     std::uint32_t first_plane = ~0u, first_plane_surface_line = 0;
     std::uint32_t first_ray_line = 0;       ///< with a stream: line of its first two rays
     std::vector<std::uint32_t> records{};   ///< with a stream: 8 words for each ray, from that line on
-    std::uint32_t primitives = 0;           ///< all primitive numbers lie below
-    std::uint32_t listed_primitives = 0;    ///< primitives of a list; 0 if there is a tree
+    /// With a stream: the lines of the hits, if the chip writes them.
+    std::uint32_t first_hit_line = 0, hit_lines = 0;
+    std::uint32_t primitives = 0;          ///< all primitive numbers lie below
+    std::uint32_t listed_primitives = 0;   ///< primitives of a list; 0 if there is a tree
     /// With two levels: the first primitives of the instances whose mesh was moved to its place beforehand,
     /// rising.
     std::vector<std::uint32_t> written_out{};

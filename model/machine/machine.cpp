@@ -22,6 +22,7 @@ Machine::Machine(const Config& config, int khz, Traffic traffic)
       masks_(std::size_t(config.pipelines)) {
     for (int p = 0; p < config.pipelines; ++p) pipelines_.emplace_back(config, traffic, p);
     if (has_l2_) l2_.emplace(l2_shape(config));
+    if (config.writes_hits()) hits_unit_.emplace(config);
 }
 
 void Machine::start(const Frame& frame, const Trace& trace, std::vector<Stretch> stretches,
@@ -29,6 +30,7 @@ void Machine::start(const Frame& frame, const Trace& trace, std::vector<Stretch>
     memory_.start_frame(frame.width, frame.height);
     dispatch_.start(frame, std::move(stretches));
     for (Pipeline& pipeline : pipelines_) pipeline.start(frame, trace);
+    if (hits_unit_) hits_unit_->start(frame);
     pixels_ = pixels;
     hits_ = 0;
     moved_at_ = now_;
@@ -49,6 +51,8 @@ void Machine::reset() {
     for (int p = 0; p < config_.pipelines; ++p) pipelines_.emplace_back(config_, traffic_, p);
     arbiter_ = Arbiter(config_.clients() * config_.pipelines);
     if (has_l2_) l2_.emplace(l2_shape(config_));
+    if (hits_unit_) hits_unit_.emplace(config_);
+    port_ = Arbiter(2);
     for (int i = 0; i < reset_cycles(config_); ++i) pass_cycle();
 }
 
@@ -76,17 +80,21 @@ void Machine::settle_shared(bool tiles) {
         valid_ |= LinkMask(valid) << index(c);
         fire_ |= LinkMask(valid && ready) << index(c);
     };
+    port_valid_ = has_l2_ ? l2_->miss_valid() : client_ >= 0;
+    if (hits_unit_) {
+        port_valid_ |= std::uint32_t(hits_unit_->full()) << 1;
+        is_write_ = port_valid_ != 0 && port_.choose(port_valid_) == 1;
+    }
+    if (port_valid_) link(Link::mem_req, true, memory_.ready());
     if (has_l2_) {
         link(Link::l2_req, client_ >= 0, l2_->ready());
         link(Link::l2_rsp, l2_->valid(), true);
-        link(Link::mem_req, l2_->miss_valid(), memory_.ready());
         if (l2_->miss_valid()) l2_miss_ = l2_->miss();
         route(fires(Link::l2_rsp), fires(Link::l2_rsp) ? l2_->answer() : 0);
     } else {
-        if (client_ >= 0) link(Link::mem_req, true, memory_.ready());
         route(memory_valid, memory_valid ? memory_.answer().id : 0);
     }
-    const bool taken = fires(has_l2_ ? Link::l2_req : Link::mem_req);
+    const bool taken = has_l2_ ? fires(Link::l2_req) : reads();
     if (client_ >= 0) {
         const std::size_t p = std::size_t(client_) / clients_;
         const std::uint32_t cache = std::uint32_t(client_) % clients_;
@@ -120,6 +128,8 @@ void Machine::route(bool answered, std::uint32_t id) {
 
 void Machine::settle_pipelines() {
     if (memory_.draws()) pipelines_[0].open_sink(memory_.accepts_pixel());
+    for (std::size_t p = 0; hits_unit_ && p < pipelines_.size(); ++p)
+        pipelines_[p].open_sink(hits_unit_->accepts(p));
     for (std::size_t p = 0; p < pipelines_.size(); ++p) {
         pipelines_[p].settle(now_);
         masks_[p] = {pipelines_[p].valid_mask(shared_moves_[p]), pipelines_[p].fire_mask(shared_moves_[p])};
@@ -137,23 +147,27 @@ void Machine::clock_pipelines() {
         finished_ += std::uint32_t(masks_[p].fire >> index(Link::hit) & 1);
         pipelines_[p].clock(now_, shared_moves_[p]);
     }
-    hits_ += finished_;
+    if (!hits_unit_) hits_ += finished_;
 }
 
 void Machine::clock_shared() {
     dispatch_.clock(granted_);
-    const bool taken = fires(has_l2_ ? Link::l2_req : Link::mem_req);
+    const bool taken = has_l2_ ? fires(Link::l2_req) : reads();
     if (taken && client_ >= 0)
         pipelines_[std::size_t(client_) / clients_].take_miss(std::uint32_t(client_) % clients_);
     arbiter_.clock(client_valid_, client_, taken);
     if (has_l2_) {
         const std::uint32_t filled = fires(Link::mem_rsp) ? memory_.answer().id : 0;
-        if (fires(Link::mem_req)) l2_->take_miss();
+        if (reads()) l2_->take_miss();
         l2_outcome_ =
             l2_->clock(taken, client_request_, fires(Link::l2_rsp), fires(Link::mem_rsp) ? &filled : nullptr);
         ++l2_counts_[std::size_t(l2_outcome_)];
     }
-    const Memory::Answer request{asked().id, asked().addr};
+    const Memory::Answer request = asked();
+    if (hits_unit_) {
+        port_.clock(port_valid_, is_write_, fires(Link::mem_req));
+        hits_ += hits_unit_->clock(finished_ > 0, fires(Link::mem_req) && is_write_);
+    }
     memory_.clock(fires(Link::mem_req) ? &request : nullptr, finished_, finished_ > 0 ? &place_ : nullptr);
     ++now_;
     if (fire_) moved_at_ = now_;
@@ -168,7 +182,7 @@ inline bool Machine::shared_is_still() const {
 }
 
 void Machine::step() {
-    if (memory_.draws()) return step([](const Move&) {});
+    if (memory_.draws() || hits_unit_) return step([](const Move&) {});
     static constexpr SharedMoves nothing{};
     const bool still = shared_is_still();
     if (!still) settle_shared();
@@ -199,7 +213,7 @@ void Machine::step_in_order(const std::array<int, pipeline_units>& order) {
         finished_ += std::uint32_t(masks_[p].fire >> index(Link::hit) & 1);
         pipelines_[p].clock_in_order(now_, shared_moves_[p], order);
     }
-    hits_ += finished_;
+    if (!hits_unit_) hits_ += finished_;
     clock_shared();
 }
 
@@ -224,7 +238,7 @@ bool Machine::looks_idle() const {
 /// Returns the number of cycles in which the sides of the pipelines, and the shared units, can run one after
 /// the other. A hit beyond `hits`, a tile or an answer of memory that depends on these cycles ends it.
 std::uint64_t Machine::window(std::uint64_t until, std::uint64_t hits) const {
-    if (has_l2_ || !undisturbed_) return 1;
+    if (has_l2_ || hits_unit_ || !undisturbed_) return 1;
     std::uint64_t cycles =
         std::min({until - now_, (hits - hits_ + pipelines_.size() - 1) / pipelines_.size(), memory_.known()});
     for (const Pipeline& pipeline : pipelines_) cycles = std::min(cycles, pipeline.window(dispatch_.more()));
@@ -282,6 +296,10 @@ void Machine::warm(std::uint32_t pipeline, const std::uint32_t* pixel) {
 void Machine::sleep(std::uint64_t until) {
     // In the next cycle an answer arrives, or a waiting request is accepted.
     if (memory_.valid() || ((valid_ & bit(Link::mem_req)) && memory_.ready())) return;
+    // A line of hits waits, or a hit for its pipeline's turn.
+    if (hits_unit_ && (hits_unit_->full() ||
+                       std::ranges::any_of(masks_, [](const Masks& m) { return m.valid & bit(Link::hit); })))
+        return;
     std::uint64_t wake = until;
     for (const Pipeline& pipeline : pipelines_) {
         if (!pipeline.slept()) return;
@@ -297,6 +315,7 @@ void Machine::sleep(std::uint64_t until) {
     for (Pipeline& pipeline : pipelines_) pipeline.skip(now_, cycles);
     shared_counts_[last_shared_] += cycles;
     if (has_l2_) l2_counts_[std::size_t(l2_outcome_)] += cycles;
+    if (hits_unit_) hits_unit_->skip(cycles);
     memory_.skip(cycles);
     now_ = wake;
 }
@@ -309,6 +328,7 @@ Accounts Machine::accounts() const {
         sums.units[index(Unit::memport)][i >> 2] += shared_counts_[i];
     }
     sums.units[index(Unit::l2)] = l2_counts_;
+    if (hits_unit_) sums.units[index(Unit::hits)] = hits_unit_->causes();
     sums.units[index(Unit::memory)] = memory_.outcomes();
     return sums;
 }

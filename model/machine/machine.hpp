@@ -7,6 +7,7 @@
 #include "model/machine/pipeline.hpp"
 #include "model/mem/arbiter.hpp"
 #include "model/mem/memory.hpp"
+#include "model/unit/hits/hits.hpp"
 #include "model/unit/sched/dispatch.hpp"
 
 namespace rayclock {
@@ -18,6 +19,9 @@ struct Move {
     std::uint32_t id = 0;         ///< context on a pipeline's links, request on the memory's
     std::uint32_t addr = 0;       ///< of requests, and of the line that returns
     std::uint32_t x = 0, y = 0;   ///< tile, pixel
+    /// Of a request to memory, in a chip that writes hits: the hits in the line that is being filled, and
+    /// whether the request writes it.
+    std::uint32_t records = 0, is_write = 0;
 };
 
 /// Replays a frame's trace cycle by cycle. It holds numbers of contexts and addresses, not payloads.
@@ -63,6 +67,7 @@ public:
     void step_in_order(const std::array<int, pipeline_units>& order);
 
     const Config& config() const { return config_; }
+    /// With a chip that writes hits, a ray counts when its record is written.
     bool done() const { return hits_ == pixels_; }
     std::uint64_t cycle() const { return now_; }   ///< since construction
     std::uint64_t hits() const { return hits_; }   ///< of the frame
@@ -112,7 +117,13 @@ private:
     template <class Observer> void show(Observer& observe) const;
     bool fires(Link c) const { return fire_ >> index(c) & 1; }
     /// Returns the request to memory.
-    const Cache::Request& asked() const { return has_l2_ ? l2_miss_ : client_request_; }
+    Memory::Answer asked() const {
+        if (is_write_) return {0, hits_unit_->addr(), true};
+        const Cache::Request& read = has_l2_ ? l2_miss_ : client_request_;
+        return {read.id, read.addr};
+    }
+    /// True if memory accepts a request of the caches.
+    bool reads() const { return fires(Link::mem_req) & !is_write_; }
 
     Config config_;
     Traffic traffic_;
@@ -123,6 +134,8 @@ private:
     int client_shift_;   ///< position of a cache's number in the id of its request
     Arbiter arbiter_;
     std::optional<Cache> l2_;
+    std::optional<Hits> hits_unit_;
+    Arbiter port_{2};   // between reads and the writes of hits
     Memory memory_;
     bool undisturbed_;
 
@@ -136,6 +149,8 @@ private:
     std::uint64_t client_valid_ = 0;   ///< caches with requests
     std::uint32_t fill_id_ = 0;
     Cache::Request client_request_{}, l2_miss_{};
+    std::uint32_t port_valid_ = 0;   // bit 0: a read is on offer to memory; bit 1: a line of hits
+    bool is_write_ = false;          // the line is chosen
 
     std::uint64_t now_ = 0, moved_at_ = 0, hits_ = 0, pixels_ = 0;
     std::uint32_t finished_ = 0;      // pixels finished in this cycle
@@ -188,7 +203,9 @@ template <class Observer> void Machine::show(Observer& observe) const {
     }
     if (fires(Link::l2_req)) observe(Move{0, Link::l2_req, client_request_.id, client_request_.addr, 0, 0});
     if (fires(Link::l2_rsp)) observe(Move{0, Link::l2_rsp, l2_->answer(), 0, 0, 0});
-    if (fires(Link::mem_req)) observe(Move{0, Link::mem_req, asked().id, asked().addr, 0, 0});
+    if (fires(Link::mem_req))
+        observe(Move{0, Link::mem_req, asked().id, asked().addr, 0, 0, hits_unit_ ? hits_unit_->records() : 0,
+                     is_write_});
     if (fires(Link::mem_rsp))
         observe(Move{0, Link::mem_rsp, memory_.answer().id, memory_.answer().addr, 0, 0});
 }

@@ -3,6 +3,7 @@
 #include <deque>
 #include <unordered_map>
 
+#include "model/layout/words.hpp"
 #include "model/machine/machine.hpp"
 #include "model/trace/walk.hpp"
 #include "model/unit/raygen/raygen.hpp"
@@ -24,6 +25,7 @@ public:
             walks_.emplace_back(frame_, config_, decoder_);
         if (config_.has_shade()) shaders_.assign(walks_.size(), Shader(frame_, config_, image_));
         words_.clear();
+        records_.clear();
     }
 
     /// Calls `see(pipeline, link, payload)` with the payload of a transfer. Call it in the order of the
@@ -50,6 +52,8 @@ private:
     std::deque<Walk> walks_;        // [pipeline * contexts + context]
     std::vector<Shader> shaders_;   // [pipeline * contexts + context], if the chip shades
     std::unordered_map<std::uint64_t, std::uint32_t> words_;   // requested addresses
+    std::deque<HitRecord> records_;                            // answers that are not written yet
+    Words scratch_;
 };
 
 template <class See> void PayloadReplay::operator()(const Move& m, See&& see) {
@@ -115,6 +119,7 @@ template <class See> void PayloadReplay::operator()(const Move& m, See&& see) {
             return;
         }
         case Link::hit:
+            if (config_.writes_hits()) records_.push_back({1, m.y, m.x, walk(m).closest()});
             if (!config_.has_shade()) return emit(HitOut{m.x, m.y, walk(m).closest(), {}});
             return emit(HitOut{m.x, m.y, shader(m).pixel().first, shader(m).pixel().colour});
         case Link::closest:
@@ -159,7 +164,14 @@ template <class See> void PayloadReplay::operator()(const Move& m, See&& see) {
         case Link::node_miss: requested(m, Link::node_miss) = m.addr; return emit(NodeMiss{m.id, m.addr});
         case Link::prim_miss: requested(m, Link::prim_miss) = m.addr; return emit(PrimMiss{m.id, m.addr});
         case Link::l2_req: requested(m, Link::l2_req) = m.addr; return emit(L2Req{m.id, m.addr});
-        case Link::mem_req: return emit(MemReq{m.id, m.addr});
+        case Link::mem_req: {
+            MemReq request{m.id, m.addr, m.is_write, {}};
+            const std::size_t room = words_per_line / std::size_t(hits_of_line(config_));
+            for (std::size_t i = 0; i < m.records; ++i)
+                write_payload(records_[i], config_, &request.line[i * room], scratch_);
+            if (m.is_write) records_.erase(records_.begin(), records_.begin() + m.records);
+            return emit(request);
+        }
         case Link::node_fill: return emit(NodeFill{m.id, line(requested(m, Link::node_miss))});
         case Link::prim_fill: return emit(PrimFill{m.id, line(requested(m, Link::prim_miss))});
         case Link::l2_rsp: return emit(L2Rsp{m.id, line(requested(m, Link::l2_req))});

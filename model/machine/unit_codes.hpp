@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "model/machine/units.hpp"
+#include "model/unit/hits/hits.hpp"
 #include "model/unit/shade/shade.hpp"
 
 namespace rayclock {
@@ -41,6 +42,9 @@ static_assert(cause_code(Unit::shade, busy()) == Shade::busy &&
               cause_code(Unit::shade, starved("memory")) == Shade::starved_by_memory &&
               cause_code(Unit::shade, starved("list")) == Shade::starved_by_list &&
               cause_code(Unit::shade, stalled("queue")) == Shade::stalled_by_queue);
+static_assert(cause_code(Unit::hits, busy()) == Hits::busy &&
+              cause_code(Unit::hits, starved("sched")) == Hits::starved_by_sched &&
+              cause_code(Unit::hits, stalled("memory")) == Hits::stalled_by_memory);
 
 /// The codes of two units of one side of a pipeline in a cycle as one number, so that one counter counts each
 /// combination.

@@ -32,6 +32,7 @@ enum class Presence : std::uint8_t {
     shade,   // the unit shade and its cache
     textures,
     stream,   // rays from records
+    hits,     // answers to them as records
     shared_cache,
     nodes,
     instances,
@@ -44,6 +45,7 @@ constexpr bool is_there(Presence when, const Config& config) {
         case Presence::shade: return config.has_shade();
         case Presence::textures: return config.has_textures();
         case Presence::stream: return config.is_stream();
+        case Presence::hits: return config.writes_hits();
         case Presence::shared_cache: return config.l2_sets > 0;
         case Presence::nodes: return !config.is_list();
 #define RAYCLOCK_CASE(with, structure, unit, Engine) \
@@ -87,6 +89,7 @@ enum class UnitPlace : std::uint8_t { pipeline, engine, shared, outside };
     UNIT(dispatch, shared, always, busy(), starved("frame"), stalled("sched"))                         \
     UNIT(memport, shared, always, busy(), starved("caches"), stalled("memory"))                        \
     UNIT(l2, shared, shared_cache, RAYCLOCK_CACHE_CAUSES("memport", "memport"))                        \
+    UNIT(hits, shared, hits, busy(), starved("sched"), stalled("memory"))                              \
     UNIT(memory, outside, always, busy(), stalled("latency"), stalled("refresh"), starved("memport"))
 
 #define RAYCLOCK_NAME(name, ...) name,

@@ -27,8 +27,8 @@ void FrameBuffer::clock(std::uint32_t pixels, bool had_turn, bool had_room) {
     had_turn_ = had_turn | (had_turn_ & !had_room);
     if (writes_) {
         pixels_ += pixels;
-        pixel_words_ += pixels_ / answers_of_word_;
-        pixels_ %= answers_of_word_;
+        pixel_words_ += pixels_ / pixels_of_word;
+        pixels_ %= pixels_of_word;
     }
     if (!scans_) return;
     phase_ += words_per_ms;

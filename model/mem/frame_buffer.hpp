@@ -10,19 +10,18 @@ namespace rayclock {
 
 /// The load of the picture on the memory, in addition to the rays': a screen reads a picture, and the chip
 /// writes finished pixels. Two pictures of 640x480 pixels lie at the memory's end, with 32 bits per pixel, so
-/// 16 pixels make a word of 64 bytes. One picture is shown while the other is drawn. A chip for streams
-/// writes hits of 16 bytes in place of pixels.
+/// 16 pixels make a word of 64 bytes. One picture is shown while the other is drawn.
 ///
 /// Scan-out reads 60 pictures per second, spread evenly over time: a screen's line buffer bridges its
 /// blanking. A screen cannot wait, so a due word has priority over the chip's requests, but not twice in a
 /// row. So a memory that is too slow for the screen still serves the chip.
 ///
-/// Every 16 finished pixels, or 4 hits, make one write, as if tiles were gathered into words. A write goes
+/// Every 16 finished pixels make one write, as if tiles were gathered into words. A write goes
 /// when the chip requests nothing, or before its requests if max_pixel_words are waiting. A picture with
 /// more pixels wraps within its buffer, which keeps the rate of row changes.
 class FrameBuffer {
 public:
-    static constexpr std::uint32_t pixels_of_word = 16, hits_of_word = 4, words = 640 * 480 / pixels_of_word,
+    static constexpr std::uint32_t pixels_of_word = 16, words = 640 * 480 / pixels_of_word,
                                    words_per_ms = words * 60 / 1000;
     static constexpr std::int64_t bytes = 2 * std::int64_t(words) * 64;
     static constexpr double screen_bytes_per_second = double(words_per_ms) * 1000 * 64;
@@ -30,10 +29,7 @@ public:
     static constexpr std::uint32_t max_pixel_words = 4;
 
     FrameBuffer(const Config& config, int khz)
-        : khz_(std::uint32_t(khz)),
-          answers_of_word_(config.is_stream() ? hits_of_word : pixels_of_word),
-          scans_(config.scan_out),
-          writes_(config.pixel_writes) {
+        : khz_(std::uint32_t(khz)), scans_(config.scan_out), writes_(config.pixel_writes) {
         if (const DramPart* part = config.dram_part())
             base_ = std::uint32_t((capacity_bytes(*part) * config.dram_channels - bytes) / 64);
     }
@@ -75,7 +71,7 @@ public:
     std::uint32_t backlog() const { return backlog_; }
 
 private:
-    std::uint32_t khz_, answers_of_word_, base_ = 0;
+    std::uint32_t khz_, base_ = 0;
     bool scans_, writes_, had_turn_ = false;   ///< had_turn_: the last request was the picture's
     /// `phase_` grows by words_per_ms per cycle. When it reaches `khz_`, a word is due.
     std::uint32_t phase_ = 0, due_ = 0;

@@ -21,7 +21,7 @@ Memory::Memory(const Config& config, int khz, Traffic traffic)
     }
     if (const DramPart* part = config.dram_part())
         dram_.emplace(*part, config.dram_channels, khz, int(first_screen_id_) + FrameBuffer::ids);
-    if (config.scan_out || config.pixel_writes) frame_buffer_.emplace(config, khz);
+    if (config.scan_out || (config.pixel_writes && !config.writes_hits())) frame_buffer_.emplace(config, khz);
 }
 
 void Memory::write(const std::vector<std::uint32_t>& lines) {
@@ -35,7 +35,7 @@ void Memory::write(const std::vector<std::uint32_t>& lines) {
 /// Chooses the next request: the chip's if it was accepted, then the picture's, then the host's.
 Memory::BusUser Memory::take_turn(const Answer* request, Dram::Answer& what) {
     if (request) {
-        what = {request->id, request->addr};
+        what = {request->id, request->addr, request->is_write};
         return BusUser::chip;
     }
     if (!has_room()) return BusUser::none;
@@ -59,7 +59,7 @@ void Memory::clock_awake(const Answer* request, std::uint32_t pixels, const Plac
     const bool had_room = has_room();
     const BusUser user = take_turn(request, asked);
     const bool is_used = user != BusUser::none;
-    reads_ += user == BusUser::chip;
+    if (user == BusUser::chip) ++(asked.is_write ? hit_writes_ : reads_);
     if (disturbed_) {
         if (offer_ >= 0) late_.erase(late_.begin() + offer_);
         if (comes())
@@ -155,7 +155,7 @@ MemoryStats Memory::board_totals() const {
 MemoryStats Memory::stats() const {
     if (board_) return board_totals() - before_frames_;
     const std::uint64_t scanned = frame_buffer_ ? frame_buffer_->scanned() : 0,
-                        pixels = frame_buffer_ ? frame_buffer_->written() : 0;
+                        pixels = frame_buffer_ ? frame_buffer_->written() : hit_writes_;
     const std::uint32_t backlog = frame_buffer_ ? frame_buffer_->backlog() : 0;
     if (!dram_) return {reads_ + scanned, 0, 0, 0, writes_, scanned, pixels, backlog};
     const DramStatistics s = dram_->statistics();

@@ -27,8 +27,8 @@ struct MemoryStats {
     /// Reads and writes that found their row open, and that found another row open.
     std::uint64_t row_hits = 0, row_conflicts = 0;
     std::uint64_t refreshes = 0;
-    std::uint64_t writes = 0;                      ///< of 64 bytes, by the host and of pixels
-    std::uint64_t scanned = 0, pixel_writes = 0;   ///< reads by the screen; writes of pixels
+    std::uint64_t writes = 0;                      ///< of 64 bytes, by the host and of pixels or hits
+    std::uint64_t scanned = 0, pixel_writes = 0;   ///< reads by the screen; writes of pixels or hits
     /// The largest number of words for which the screen waited at the same time, since the beginning.
     std::uint32_t backlog = 0;
     /// Pixels that the screen of a board showed black, because their word came too late.
@@ -153,7 +153,7 @@ private:
     // The DRAM is idle. It catches up on the cycles that it skips when it has work again.
     bool sleeping_ = false;
     std::uint64_t skipped_cycles_ = 0;
-    std::uint64_t reads_ = 0;
+    std::uint64_t reads_ = 0, hit_writes_ = 0;   // of the chip
     std::array<std::uint64_t, memory_outcomes> ideal_outcomes_{};
     std::vector<std::uint32_t> written_;   // lines that the host writes; the last left_ of them remain
     std::size_t left_ = 0;

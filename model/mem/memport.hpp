@@ -30,6 +30,7 @@ public:
 
     struct Answer {
         std::uint32_t id = 0, addr = 0;
+        bool is_write = false;   // of a request
     };
     bool ready() const { return now_ >= next_free_; }
     bool valid() const { return !pending_.empty() && pending_.front().due <= now_; }

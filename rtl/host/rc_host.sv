@@ -7,7 +7,7 @@
 //
 // A start first clears the counters and computes the number of pixels, in sixteen cycles, as after
 // a reset. start_o is high for one cycle; the next cycle is the frame's cycle 0. The frame ends
-// with the cycle in which its last hit is accepted.
+// with the cycle in which its last answer leaves the chip.
 `default_nettype none
 module rc_host #(
   parameter int unsigned Counters = 1
@@ -26,7 +26,7 @@ module rc_host #(
   // To and from the machine
   output logic                         start_o,
   output rc_pkg::frame_t               frame_o,
-  input  logic [rc_pkg::Pipelines-1:0] hit_fires_i,
+  input  logic [rc_pkg::MostAnswers-1:0] hit_fires_i,   // one bit for each answer that leaves
   // To and from the counters
   output logic                         count_o,     // this cycle is counted
   output logic                         clear_o,     // clears the selected counter of all units
@@ -85,7 +85,7 @@ module rc_host #(
 
   always_comb begin
     hits = '0;
-    for (int p = 0; p < rc_pkg::Pipelines; p++) hits = hits + 4'(hit_fires_i[p]);
+    for (int k = 0; k < rc_pkg::MostAnswers; k++) hits = hits + 4'(hit_fires_i[k]);
   end
 
   assign left_less = left_q - 32'(hits);

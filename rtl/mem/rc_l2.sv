@@ -18,7 +18,7 @@ module rc_l2 (
   // To and from memory
   output logic             miss_valid_o,
   input  logic             miss_ready_i,
-  output rc_pkg::mem_req_t miss_o,
+  output rc_pkg::l2_miss_t miss_o,
   input  logic             fill_fires_i,
   input  rc_pkg::mem_rsp_t fill_i,
   // Whether lines are in flight, and what the cache did: rc_pkg::cache_outcome_e

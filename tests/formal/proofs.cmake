@@ -107,6 +107,23 @@ prove(mutant:formal_arbiter_grants_two TOP arbiter RTL mem/rc_arbiter.sv CYCLES 
   OLD [[{{(Sources-1){1'b0}}, valid_o && ready_i} << source_o;]]
   NEW [[{{(Sources-1){1'b0}}, valid_o && ready_i} << source_o | {valid_i[Sources-1] && valid_i[0] && ready_i, {(Sources-1){1'b0}}};]])
 
+foreach(records IN ITEMS 2 4)
+  prove(formal:gather_of_${records} TOP gather RTL cells/queues/rc_gather.sv WITH Records=${records}
+    INDUCTION 3)
+endforeach()
+prove(mutant:formal_gather_forgets_the_rest TOP gather RTL cells/queues/rc_gather.sv CYCLES 8
+  FILE cells/queues/rc_gather.sv
+  OLD [[ || left_q == TotalBits'(1);]]
+  NEW [[;]])
+prove(mutant:formal_gather_takes_one_while_it_waits TOP gather RTL cells/queues/rc_gather.sv CYCLES 10
+  FILE cells/queues/rc_gather.sv
+  OLD [[assign ready_o      = !full_q;]]
+  NEW [[assign ready_o      = !full_q || line_ready_i;]])
+prove(mutant:formal_gather_keeps_the_last_line TOP gather RTL cells/queues/rc_gather.sv CYCLES 10
+  FILE cells/queues/rc_gather.sv
+  OLD "item_q <= '0;"
+  NEW "item_q <= item_q;")
+
 # ---- The caches' control.
 set(mshr rc_pkg.sv mem/rc_mshr.sv cells/memories/rc_ram.sv cells/queues/rc_queue.sv cells/queues/rc_fifo.sv
   cells/queues/rc_fifo_peek.sv)

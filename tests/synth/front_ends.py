@@ -77,6 +77,8 @@ STREAMS = [
     "default shading=1 source=stream",
     "default shading=1 source=stream levels=2",
     "default shading=1 source=stream spheres=1 planes=1",
+    "default shading=1 source=stream pixel_writes=1",
+    "small shading=1 source=stream pixel_writes=1 spheres=1 planes=1 pipelines=4 l2_sets=8 timing=fast",
     "small shading=1 source=stream levels=2 spheres=1",
     "small shading=1 source=stream timing=fast pipelines=2 tile_bits=0 raygen_interval=4 structure=kd",
 ]

@@ -126,14 +126,16 @@ void check_outputs(const StreamCommand& c) {
     check_hits(c.stream, c.json);
 }
 
-/// Writes the hits if they are requested. Returns false if it was interrupted; nothing is written then.
+/// Writes the answers as hits if they are requested. Returns false if it was interrupted; nothing is written
+/// then.
 bool write_hits(const StreamCommand& c, const StreamJob& s, const RecordedFrame& frame,
-                const FramesAtClock& run, Traffic traffic, const Progress& progress) {
+                const std::vector<Closest>& answers, const FramesAtClock& run, Traffic traffic,
+                const Progress& progress) {
     if (!c.stream.hits) return true;
     const std::vector<std::uint64_t> retired =
         retirements(s.job.config, run.khz, frame, traffic, run.last().cycles, progress);
     if (interrupted()) return false;
-    write_bytes(*c.stream.hits, hits_npy(hits_of(s, frame.trace.hits), retired));
+    write_bytes(*c.stream.hits, hits_npy(hits_of(s, answers), retired));
     if (!c.json.is_alone()) fmt::print("  hits: {}\n", printable(*c.stream.hits));
     return true;
 }
@@ -158,7 +160,8 @@ int simulate_stream(const StreamCommand& c) {
                    work_table(config, runs[0]), unit_table(config, runs));
         if (judged) fmt::print("\n{}", judge_line(*judged));
     }
-    const bool partial = run.partial() || !write_hits(c, s, run.frame(), runs[0], traffic, progress);
+    const bool partial =
+        run.partial() || !write_hits(c, s, run.frame(), run.answers(), runs[0], traffic, progress);
     if (partial && !c.json.is_alone())
         fmt::print("  PARTIAL: interrupted; the figures cover the cycles until then\n");
     c.json.write(simulated_stream_json(s, run, partial, watch.seconds()));
@@ -194,7 +197,7 @@ int verify_stream(const StreamCommand& c) {
                    elastic ? elastic_lines(config, khz, *elastic) : lockstep_lines(result));
         if (judged) fmt::print("{}", judge_line(*judged));
     }
-    partial = partial || !write_hits(c, s, frames[0], runs[0], traffic, progress);
+    partial = partial || !write_hits(c, s, frames[0], result.rtl.answers, runs[0], traffic, progress);
     const bool good = !partial && result.agrees() && (!judged || judged->wrong == 0);
     if (!c.json.is_alone())
         fmt::print("  {} in {:.1f} s\n",

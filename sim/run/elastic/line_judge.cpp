@@ -87,6 +87,8 @@ void LineJudge::ask(std::uint64_t now, Pair& pair, int pipeline) {
     with_payload(pair.req, [&]<class P>() {
         if constexpr (requires(P p) { p.id, p.addr; }) {
             const P got = get_data<P>(rtl_.link(pipeline, pair.req), config_);
+            if constexpr (requires { got.is_write; })   // RtlMachine checks what is written
+                if (got.is_write) return;
             ++findings_.events_compared;
             auto& place = pair.waits[std::size_t(pipeline)][got.id];
             const bool outside = !image_->holds(got.addr, std::uint32_t(config_.longest_line() / line_bytes));

@@ -2,6 +2,7 @@
 #include "sim/run/elastic/steady_offers.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "sim/run/lockstep/ray_end.hpp"
 
@@ -31,19 +32,25 @@ void SteadyOffers::check(std::uint64_t now, int pipeline, Held& held, LinkMask v
                "valid is 0, and the offer was not accepted");
     });
     each_link(held.links & valid, [&](Link c) {
-        const RcPort& port = rtl_.link(pipeline, c);
-        const auto* const bytes = reinterpret_cast<const unsigned char*>(port.data);
-        const Bytes& before = held.payloads[index(c)];
-        if (std::equal(before.begin(), before.end(), bytes)) return;
+        if (offered(pipeline, c) == held.payloads[index(c)]) return;
         report(now, pipeline, c, "the payload stays unchanged until it is accepted",
                "another payload: " + rtl_text(rtl_, pipeline, c, config_));
     });
     held.links = valid & ~fires;
-    each_link(held.links, [&](Link c) {
-        const RcPort& port = rtl_.link(pipeline, c);
-        const auto* const bytes = reinterpret_cast<const unsigned char*>(port.data);
-        held.payloads[index(c)].assign(bytes, bytes + port.bytes);
-    });
+    each_link(held.links, [&](Link c) { held.payloads[index(c)] = offered(pipeline, c); });
+}
+
+SteadyOffers::Bytes SteadyOffers::offered(int pipeline, Link c) const {
+    const RcPort& port = rtl_.link(pipeline, c);
+    const auto* const bytes = reinterpret_cast<const unsigned char*>(port.data);
+    Bytes payload(bytes, bytes + port.bytes);
+    if (c == Link::mem_req && config_.writes_hits())
+        if (MemReq read = get_data<MemReq>(port, config_); !read.is_write) {
+            read.line = {};
+            const Words words = pack(read, config_);
+            std::memcpy(payload.data(), words.data(), std::min(payload.size(), words.size() * 4));
+        }
+    return payload;
 }
 
 void SteadyOffers::report(std::uint64_t now, int pipeline, Link c, const char* expected, std::string got) {

@@ -25,6 +25,8 @@ private:
         std::vector<Bytes> payloads;   ///< [link]
     };
     void check(std::uint64_t now, int pipeline, Held& held, LinkMask valid, LinkMask fires);
+    /// Returns the payload on offer, without the arbitrary line of a read (MemReq).
+    Bytes offered(int pipeline, Link c) const;
     void report(std::uint64_t now, int pipeline, Link c, const char* expected, std::string got);
 
     const Config& config_;

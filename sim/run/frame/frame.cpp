@@ -34,6 +34,19 @@ std::string with_rate(const char* machine, std::uint64_t cycles, const Stopwatch
 }   // namespace
 
 void check_capacity(const MemoryImage& image, const Config& config) {
+    std::uint64_t bytes = image.report.bytes;
+    std::string content = "the scene's memory image";
+    if (config.writes_hits()) {
+        const std::uint64_t end = std::uint64_t(image.first_hit_line) + image.hit_lines,
+                            most = std::uint64_t(1) << config.addr_bits;
+        if (end > most)
+            throw UserError(
+                fmt::format("the scene, the rays and their hits need {} lines of memory, and addr_bits={} "
+                            "allows {}; without pixel_writes=1 the chip writes no hits",
+                            end, config.addr_bits, most));
+        bytes = end * line_bytes;
+        content += " with the rays and room for their hits";
+    }
     const DramPart* part = config.dram_part();
     if (!part) return;
     if (config.is_board()) {
@@ -47,8 +60,8 @@ void check_capacity(const MemoryImage& image, const Config& config) {
         return;
     }
     const std::int64_t capacity = capacity_bytes(*part) * config.dram_channels;
-    const bool has_pictures = config.scan_out || config.pixel_writes;
-    if (has_pictures && std::int64_t(image.report.bytes) + FrameBuffer::bytes > capacity)
+    const bool has_pictures = config.scan_out || (config.pixel_writes && !config.writes_hits());
+    if (has_pictures && std::int64_t(bytes) + FrameBuffer::bytes > capacity)
         throw UserError(
             fmt::format("the scene's memory image of {} bytes and the {} bytes of two pictures (scan_out, "
                         "pixel_writes) are more "
@@ -59,12 +72,11 @@ void check_capacity(const MemoryImage& image, const Config& config) {
         throw UserError(fmt::format(
             "scan_out=1 reads {:.1f} MB/s for the screen, and the memory '{}' gives {:.1f} at most",
             FrameBuffer::screen_bytes_per_second / 1e6, part->name, peak / 1e6));
-    if (std::int64_t(image.report.bytes) > capacity)
-        throw UserError(fmt::format(
-            "the scene's memory image of {} bytes is larger than the memory '{}' of {} bytes; --set dram={} "
-            "holds it",
-            image.report.bytes, part->name, capacity,
-            std::int64_t(image.report.bytes) <= capacity_bytes(dram_part("ddr3")) ? "ddr3" : "ideal"));
+    if (std::int64_t(bytes) > capacity)
+        throw UserError(
+            fmt::format("{} of {} bytes is larger than the memory '{}' of {} bytes; --set dram={} holds it",
+                        content, bytes, part->name, capacity,
+                        std::int64_t(bytes) <= capacity_bytes(dram_part("ddr3")) ? "ddr3" : "ideal"));
 }
 
 std::vector<MirrorRange> mirrored_primitives(const PlacedScene& scene, const MemoryImage& image) {

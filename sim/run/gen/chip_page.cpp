@@ -157,8 +157,16 @@ Config shaded() {
     return c;
 }
 
+/// `default`, for a stream of rays whose hits it writes.
+Config streaming() {
+    Config c = named_config("default");
+    c.shading = c.pixel_writes = true;
+    c.source = RaySource::stream;
+    return c;
+}
+
 std::map<std::string, std::string> tables() {
-    const Config plain = named_config("default"), all = shaded();
+    const Config plain = named_config("default"), all = shaded(), streams = streaming();
     std::map<std::string, std::string> tables{{"configurations", configuration_tables()},
                                               {"registers", control_table()},
                                               {"parameters", parameter_table(plain)},
@@ -167,6 +175,8 @@ std::map<std::string, std::string> tables() {
                                               {"frame that is shaded", frame_table(all)},
                                               {"counters", counter_table()},
                                               {"mem_req_t", layout<MemReq>(plain)},
+                                              {"mem_req_t that writes", layout<MemReq>(streams)},
+                                              {"hit_record_t", layout<HitRecord>(streams)},
                                               {"mem_rsp_t", layout<MemRsp>(plain)},
                                               {"hit_t", layout<HitOut>(plain)},
                                               {"hit_t that is shaded", layout<HitOut>(all)},

@@ -26,6 +26,7 @@ std::string when_text(Presence when) {
         case Presence::shade: return "`shading`";
         case Presence::textures: return "`textures`";
         case Presence::stream: return "`source=stream`";
+        case Presence::hits: return "`source=stream`, `pixel_writes`";
         case Presence::shared_cache: return "`l2_sets` above 0";
         case Presence::nodes: return "`structure` is not none";
         case Presence::instances: return "`levels` is 2";

@@ -373,7 +373,10 @@ void ray_widths(Package& p, const Config& c) {
     p.constant("NumBits", c.num_bits());
     p.constant("OriginBits", c.origin_frac());
     p.flag("HasShade", c.has_shade());
-    p.flag("IsStream", c.is_stream());   // rays come from records in memory
+    p.flag("IsStream", c.is_stream());           // rays come from records in memory
+    p.flag("WritesHits", c.writes_hits());       // into memory, as records
+    p.constant("HitsOfLine", hits_of_line(c));   // records
+    p.constant("MostAnswers", c.writes_hits() ? hits_of_line(c) : c.pipelines);   // that leave in a cycle
     p.flag("HasTextures", c.has_textures());
     p.flag("HasPrimKinds", c.has_kinds());
     p.constant("HoleBits", hole_bits);
@@ -676,6 +679,7 @@ std::string rc_package(const Config& config) {
     p.record<Children>("children");
     p.record<Done>("done");
     p.record<Pixel>("pixel");
+    p.record<L2Miss>("l2_miss");
     p.record<ShadeState>("shade_state");
     p.record<Waiting>("waiting");
     p.record<TexelPlace>("texel_place");
@@ -689,6 +693,7 @@ std::string rc_package(const Config& config) {
     p.record<PrimData>("primitive");
     p.record<Surface>("surface");
     p.record<TexRecord>("tex_record");
+    p.record<HitRecord>("hit_record");
     return std::move(p).end();
 }
 

@@ -46,7 +46,8 @@ const std::vector<HostRegister>& host_registers() {
         {3, "Start", "start", Access::write, "bit 0 starts a frame; 0 does nothing"},
         {4, "Count", "count", Access::both,
          "bit 0: cycles are counted, 1 after a reset; bit 1 (read only): the chip has counters"},
-        {5, "Left", "left", Access::read, "pixels of the frame that have not come out yet"},
+        {5, "Left", "left", Access::read,
+         "pixels of the frame that have not come out yet, or rays without a record in memory"},
         {6, "Cycles", "cycles", Access::read,
          "cycles counted since the frame's start, bits 31..0; reading it keeps the upper word"},
         {7, nullptr, "cycles_high", Access::read,
@@ -91,6 +92,7 @@ std::vector<HostParameter> host_parameters(const Config& c) {
                                    {"mesh_structure", u(int(c.lower_engine()))}};
     if (c.panes > 0) all.push_back({"panes", u(c.panes)});
     if (c.is_stream()) all.push_back({"source", u(int(c.source))});
+    if (c.writes_hits()) all.push_back({"hits_of_line", u(hits_of_line(c))});
     return all;
 }
 

@@ -122,6 +122,11 @@ void RtlMachine::start(const Frame& frame) {
     }
     width_ = frame.width;
     given_.assign(pixels_, 0);
+    if (config_.writes_hits()) {   // memory that nobody has written holds ones
+        const std::uint64_t room = std::uint64_t(hits_of_line(config_));
+        hit_lines_.assign(std::size_t((pixels_ + room - 1) / room) * words_per_line, ~0u);
+        first_hit_line_ = frame.first_hit_line;
+    }
     hits_ = box_tests_ = 0;
     rays_ = {};
     accounts_.reset();
@@ -203,6 +208,10 @@ void RtlMachine::complain(int pipeline, Link link, const std::string& what) {
 std::optional<Memory::Answer> RtlMachine::request() {
     if (!(shared_fire_ & bit(Link::mem_req))) return {};
     const MemReq req = get_data<MemReq>(*mem_req_, config_);
+    if (req.is_write) {
+        store(req);
+        return Memory::Answer{0, req.addr, true};
+    }
     // Long lines end at the next multiple of their length.
     const auto line = std::uint32_t(config_.longest_line() / line_bytes);
     if (req.addr / line > (image_->end() - 1) / line)
@@ -214,6 +223,20 @@ std::optional<Memory::Answer> RtlMachine::request() {
     }
     under_way_[req.id] = 1;
     return Memory::Answer{req.id, req.addr};
+}
+
+/// Writes a line of hits into memory, and counts its records.
+void RtlMachine::store(const MemReq& request) {
+    const std::size_t at = std::size_t(request.addr - first_hit_line_) * words_per_line;
+    const auto in_line = std::size_t(hits_of_line(config_)), room = words_per_line / in_line;
+    if (request.addr < first_hit_line_ || at >= hit_lines_.size())
+        complain(0, Link::mem_req,
+                 fmt::format("a write of line {}, and the hits have lines {} to {}", request.addr,
+                             first_hit_line_, first_hit_line_ + hit_lines_.size() / words_per_line - 1));
+    else
+        std::copy(request.line.begin(), request.line.end(), &hit_lines_[at]);
+    for (std::size_t k = 0; k < in_line; ++k)
+        hits_ += unpack<HitRecord>(&request.line[k * room], config_).valid;
 }
 
 /// Returns true if the hit is a pixel of the picture that has not arrived yet. Removes a primitive that the
@@ -264,7 +287,7 @@ void RtlMachine::clock() {
         }
         if (fire_[p] & bit(Link::node_req)) count_boxes(int(p));
     }
-    hits_ += finished;
+    if (!config_.writes_hits()) hits_ += finished;
     Memory::Place place;
     if (memory_.draws() && finished > 0) {
         const HitOut hit = get_data<HitOut>(*links_[0][index(Link::hit)], config_);

@@ -6,8 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "model/compile/upload.hpp"
 #include "model/layout/memory_image.hpp"
+#include "model/layout/words.hpp"
 #include "model/machine/links.hpp"
 #include "model/mem/memory.hpp"
 #include "model/scene/whitted.hpp"
@@ -39,24 +42,27 @@ public:
     /// Performs the first half of a cycle: drives the memory's answer and the sinks' ready. Then the masks
     /// and link() show the transfers of the cycle.
     void settle();
-    /// Performs the second half: the clock edge. Passes hits to `take`. Throws RtlAssertion.
+    /// Performs the second half: the clock edge. Passes hits to `take`: those that leave in this cycle, or if
+    /// the chip writes them, all of them from memory when the last one is written. Throws RtlAssertion.
     template <class Take> void clock(Take&& take) {
-        for (int p = 0; p < config_.pipelines; ++p) {
+        for (int p = 0; !config_.writes_hits() && p < config_.pipelines; ++p) {
             if (!(fire_[std::size_t(p)] & bit(Link::hit))) continue;
             HitOut hit = get_data<HitOut>(*links_[std::size_t(p)][index(Link::hit)], config_);
             if (check_hit(p, hit)) take(hit);
         }
+        const bool was_done = done();
         clock();
+        if (config_.writes_hits() && done() && !was_done) read_hits(take);
     }
     template <class Take> void step(Take&& take) {
         settle();
         clock(take);
     }
 
-    /// The first impossible value of the RTL. It is a line beyond the memory image, a request whose id is in
-    /// flight, or an unknown primitive. It may also be a pixel that is outside the picture or arrives twice.
-    /// The value is not passed on: the memory returns zeros or does not answer, and the pixel is dropped or
-    /// gets no hit. The machine runs on.
+    /// The first impossible value of the RTL. It is a line beyond the memory image or the hits, a request
+    /// whose id is in flight, or an unknown primitive. It may also be a pixel that is outside the picture or
+    /// arrives twice. The value is not passed on: the memory returns zeros or does not answer, and the pixel
+    /// is dropped or gets no hit. The machine runs on.
     struct InvalidValue {
         int pipeline = 0;
         Link link{};
@@ -104,6 +110,19 @@ private:
     void clock_bus();
     void clock();
     std::optional<Memory::Answer> request();
+    void store(const MemReq& request);
+    /// Reads the frame's hits from memory, as a host does.
+    template <class Take> void read_hits(Take&& take) {
+        const std::size_t room = words_per_line / std::size_t(hits_of_line(config_));
+        for (std::uint64_t i = 0; i < pixels_; ++i) {
+            const auto record = unpack<HitRecord>(&hit_lines_[std::size_t(i) * room], config_);
+            HitOut hit{record.x, record.y, record.closest, {}};
+            if (!record.valid)
+                complain(0, Link::mem_req, fmt::format("hit {} in memory without its valid bit", i));
+            else if (check_hit(0, hit))
+                take(hit);
+        }
+    }
     bool check_hit(int pipeline, HitOut& hit);
     void count_boxes(int pipeline);
     void complain(int pipeline, Link link, const std::string& what);
@@ -141,6 +160,8 @@ private:
     std::vector<std::uint8_t> under_way_;      // [id] of requests to memory
     std::vector<std::uint8_t> given_;          // [y * width + x] of the frame's pixels
     std::uint32_t width_ = 1;
+    Words hit_lines_;   // memory from this line on, if the chip writes hits
+    std::uint32_t first_hit_line_ = 0;
     std::optional<InvalidValue> invalid_value_;
     std::optional<Accounts> accounts_;                 // empty until the counters are read
     std::uint64_t counted_cycles_ = 0, started_ = 0;   // started_: the frame's first cycle

@@ -200,6 +200,7 @@ std::vector<std::uint64_t> retirements(const Config& config, int khz, const Reco
                                        Traffic traffic, std::uint64_t cycles, const Progress& progress) {
     constexpr std::uint64_t between_reports = 1 << 16;
     std::vector<std::uint64_t> retired(frame.trace.rays.size());
+    std::vector<std::size_t> left;   // rays whose answers are on their way out of the chip
     Machine machine(config, khz, traffic);
     machine.start(frame.frame, frame.trace);
     const std::uint64_t first = machine.cycle();
@@ -207,7 +208,10 @@ std::vector<std::uint64_t> retirements(const Config& config, int khz, const Reco
         if (now > cycles) throw std::logic_error("a second replay takes more cycles than the first one");
         if (progress && now % between_reports == 0) progress("hits", std::size_t(now), std::size_t(cycles));
         machine.step([&](const Move& move) {
-            if (move.link == Link::hit) retired[std::size_t(move.y) * frame.trace.width + move.x] = now;
+            if (move.link == Link::hit) left.push_back(std::size_t(move.y) * frame.trace.width + move.x);
+            if (config.writes_hits() && !move.is_write) return;
+            for (const std::size_t ray : left) retired[ray] = now;
+            left.clear();
         });
     }
     if (progress) progress("hits", std::size_t(cycles), std::size_t(cycles));

@@ -21,6 +21,7 @@ bool shades(const Config& c) { return c.has_shade(); }
 bool has_textures(const Config& c) { return c.has_textures(); }
 bool draws(const Config& c) { return !c.is_stream(); }
 bool streams(const Config& c) { return c.is_stream(); }
+bool writes_hits(const Config& c) { return c.writes_hits(); }
 bool has_l2(const Config& c) { return c.l2_sets > 0; }
 bool has_nodes(const Config& c) { return !c.is_list(); }
 bool lists(const Config& c) { return c.is_list(); }
@@ -80,7 +81,8 @@ const std::vector<UnitRow>& unit_rows() {
                                 {"tri", true, always},       {"surf_cache", true, shades},
                                 {"tex", true, has_textures}, {"tex_cache", true, has_textures},
                                 {"shade", true, shades},     {"dispatch", false, always},
-                                {"arbiter", false, always},  {"l2", false, has_l2}};
+                                {"arbiter", false, always},  {"l2", false, has_l2},
+                                {"hits", false, writes_hits}};
         all.insert(all.end(), std::begin(rest), std::end(rest));
         return all;
     }();

@@ -151,6 +151,7 @@ void Observer::moved(const Move& m) {
         case Link::mem_rsp: return;
         case Link::l2_req: l2_requests_.push_back(owner_); return;
         case Link::mem_req:
+            if (m.is_write) return;   // hits of several rays
             if (!has_l2_) return pay(owner_.pixel, owner_.purpose);
             pay(l2_missing_.front().pixel, l2_missing_.front().purpose);
             if (++l2_words_ == l2_line_words_) {

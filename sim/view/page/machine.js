@@ -3,7 +3,7 @@
 // Where a unit's box lies: column and row.
 const unitPlaces = { dispatch: [0, 1], sched: [1, 1], raygen: [2, 1], trav: [3, 1], ...forNodeUnits([4, 0]), xform: [5, 0], node_cache: [5, 1],
   list: [3, 2], prim_cache: [5, 2], tri: [4, 3], shade: [2, 3], surf_cache: [5, 4], tex: [3, 4], tex_cache: [4, 4], memport: [6, 1.5], l2: [6, 3],
-  memory: [7, 1.5] };
+  hits: [6, 0], memory: [7, 1.5] };
 
 function machineSpec() {
   // On a narrow screen the diagram goes down and not across: columns are lines then.

@@ -32,6 +32,7 @@ std::uint64_t count_of(const Config& config, Unit unit, const FrameResult& run) 
         case Unit::trav: return run.visits;
         case Unit::list: return run.triangle_tests;
         case Unit::memory: return run.memory.reads;
+        case Unit::hits: return run.accounts.units[index(unit)][0] - run.memory.pixel_writes;
         case Unit::node_cache:
         case Unit::prim_cache:
         case Unit::surf_cache:

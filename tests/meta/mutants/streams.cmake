@@ -63,9 +63,41 @@ mutant(rays_of_a_seed_are_those_of_the_next FILE sim/run/stream/make_rays.cpp TE
 mutant(rays_lost_in_random_order FILE sim/run/stream/make_rays.cpp TEST system "Morton and random*"
   OLD [[std::swap(rays[i - 1], rays[dice.next() % i]);]]
   NEW [[rays[i - 1] = rays[dice.next() % i];]])
-mutant(stream_hits_are_as_short_as_pixels FILE model/mem/frame_buffer.cpp TEST system "hits that are written*"
-  OLD [[pixel_words_ += pixels_ / answers_of_word_;]]
-  NEW [[pixel_words_ += pixels_ / pixels_of_word;]])
+
+# ---- Hits in memory.
+mutant(hits_go_to_the_next_line FILE rtl/unit/hits/rc_hits.sv TEST system "a chip writes the hits*"
+  OLD [[addr_q <= first_line;]]
+  NEW [[addr_q <= first_line + 1'b1;]])
+mutant(hits_overwrite_one_line FILE rtl/unit/hits/rc_hits.sv TEST system "a chip writes the hits*"
+  OLD [[addr_q <= addr_q + 1'b1;]]
+  NEW [[addr_q <= addr_q;]])
+mutant(hits_swap_u_and_v FILE rtl/unit/hits/rc_hits.sv TEST system "a chip writes the hits*"
+  OLD [[hit.t, hit.u, hit.v};]]
+  NEW [[hit.t, hit.v, hit.u};]])
+mutant(hits_of_a_pipeline_out_of_turn FILE rtl/unit/hits/rc_hits.sv TEST system "a chip writes the hits*"
+  OLD [[turn_q <= start_i ? '0 : turn_q + 1'b1;]]
+  NEW [[turn_q <= start_i ? 1'b1 : turn_q + 1'b1;]])
+mutant(hits_blame_sched FILE rtl/unit/hits/rc_hits.sv TEST system "a chip writes the hits*"
+  OLD [[? rc_pkg::HitsStalledMemory]]
+  NEW [[? rc_pkg::HitsStarvedSched]])
+mutant(hits_forget_the_last_line QUICK FILE rtl/cells/queues/rc_gather.sv TEST system "a chip writes the hits*"
+  OLD [[ || left_q == TotalBits'(1);]]
+  NEW [[;]])
+mutant(hits_are_reads FILE rtl/rc_top.sv TEST system "a chip writes the hits*"
+  OLD [[{line, is_write, request};]]
+  NEW [[{line, 1'b0, request};]])
+mutant(hits_end_a_frame_too_early FILE rtl/cells/queues/rc_gather.sv TEST system "a chip writes the hits*"
+  OLD [[= full_q && line_ready_i && count_q]]
+  NEW [[= full_q && count_q]])
+mutant(model_hits_wait_for_a_full_line FILE model/unit/hits/hits.hpp WITH model/machine/machine.cpp TEST system
+  "an answer leaves the chip*"
+  OLD [[full_ = records_ == room_ || left_ == 0;]]
+  NEW [[full_ = records_ == room_;]])
+mutant(model_hits_leave_before_their_line FILE sim/run/stream/stream.cpp TEST system "an answer leaves the chip*"
+  OLD [[if (config.writes_hits() && !move.is_write) return;]]
+  NEW [[if (config.writes_hits() && move.link != Link::hit) return;]])
+
+# ---- Judge and files.
 mutant(stream_judge_sleeps FILE sim/run/stream/stream.cpp TEST system "the judge of streams*"
   OLD [[if (!fault) continue;]]
   NEW [[if (fault == nullptr || judged.rays > 0) continue;]])

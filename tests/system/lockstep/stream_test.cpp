@@ -10,6 +10,7 @@
 #include "model/base/error.hpp"
 #include "model/engine/check.hpp"
 #include "sim/load/load.hpp"
+#include "sim/run/elastic/elastic.hpp"
 #include "sim/run/request/config_file.hpp"
 #include "sim/run/stream/make_rays.hpp"
 #include "sim/run/stream/stream.hpp"
@@ -177,10 +178,77 @@ TEST_CASE("hits that are written to the memory take their share of it, alike in 
     };
     const FrameResult with = run(1), without = run(0);
     CHECK(without.memory.writes == 0);
-    CHECK(with.memory.writes <= 1001 / 4);
-    CHECK(with.memory.writes + 4 >= 1001 / 4);   // the last ones wait
-    CHECK(with.memory.reads == without.memory.reads);
+    CHECK(with.memory.pixel_writes == 251);   // the last line has one hit
+    CHECK(with.memory.writes <= 251);
+    CHECK(with.memory.writes + 4 >= 251);   // the last ones wait in the memory
     CHECK(with.cycles > without.cycles);
+}
+
+TEST_CASE("a chip writes the hits of a stream into memory, alike in model and RTL", "[stream]") {
+    const Config config = GENERATE(0, 1) == 0
+                              ? streaming_config(quick_config("default"), {{"pixel_writes", 1}})
+                              : with(narrow_stream(), {{"pixel_writes", 1}, {"dram", int(DramName::sdr)}});
+    REQUIRE(hits_of_line(config) == 4);
+    for (const std::size_t count : {1, 3, 4, 5, 257}) {
+        INFO(count);
+        // Lockstep takes the RTL's answers from its memory.
+        const LockstepResult result = check_lockstep(RandomStream("gears:2", count, config).stream.job);
+        CHECK(result.rtl.answers.size() == count);
+        CHECK(result.rtl.memory.pixel_writes == (count + 3) / 4);
+    }
+    const Traffic traffic = GENERATE(Traffic{30, 0, 3}, Traffic{0, 50, 4}, Traffic{100, 90, 6});
+    const RandomStream random("teapot:6", 500, config, traffic.seed);
+    check_lockstep(random.stream.job, traffic, int(traffic.seed));
+    CHECK(run_elastic(random.stream.job, traffic).agrees());
+}
+
+TEST_CASE("records of hits that are wider take half a line", "[stream]") {
+    const Config config =
+        streaming_config(quick_config("default"), {{"planes", 1}, {"pixel_writes", 1}, {"pipelines", 4}});
+    REQUIRE(hits_of_line(config) == 2);
+    const FrameResult run = check_lockstep(RandomStream("gears:2", 301, config).stream.job).rtl;
+    CHECK(run.memory.pixel_writes == 151);
+}
+
+TEST_CASE("two frames of a stream write their hits to the same lines", "[stream]") {
+    const Config config = streaming_config(quick_config("default"), {{"pixel_writes", 1}});
+    const RandomStream random("gears:2", 101, config);
+    std::vector<RecordedFrame> frames;
+    for (int f = 0; f < 2; ++f) frames.push_back(record_frame(random.stream.job, random.stream.job.frame));
+    CHECK(run_lockstep(random.stream.job, frames).agrees());
+}
+
+TEST_CASE("a record of a hit has the bits that the chip's page gives", "[stream]") {
+    const Config config = streaming_config(named_config("default"), {{"pixel_writes", 1}});
+    const Closest answer{9, 1, 0x89abcdef, 0x654321, 0x12345, 0x1ffff, 1, 77, 0};
+    const Words words = pack(HitRecord{1, 0x2001, 0x1003, answer}, config);
+    REQUIRE(words.size() == 4);
+    const auto bits = [&](int top, int bottom) {
+        std::uint64_t value = 0;
+        for (int i = top; i >= bottom; --i) value = value << 1 | (words[std::size_t(i) / 32] >> i % 32 & 1);
+        return value;
+    };
+    CHECK(bits(120, 120) == 1);          // valid
+    CHECK(bits(119, 106) == 0x2001);     // y
+    CHECK(bits(105, 92) == 0x1003);      // x
+    CHECK(bits(91, 91) == 1);            // found
+    CHECK(bits(90, 90) == 1);            // back
+    CHECK(bits(89, 58) == 0x89abcdef);   // prim
+    CHECK(bits(57, 34) == 0x654321);     // t
+    CHECK(bits(33, 17) == 0x12345);      // u
+    CHECK(bits(16, 0) == 0x1ffff);       // v
+    CHECK(words[3] >> 25 == 0);
+}
+
+TEST_CASE("an answer leaves the chip when memory accepts its line", "[stream]") {
+    const Config config = streaming_config(quick_config("default"), {{"pixel_writes", 1}});
+    const RandomStream random("gears:2", 42, config);
+    std::vector<RecordedFrame> frames;
+    frames.push_back(record_frame(random.stream.job, random.stream.job.frame));
+    const std::uint64_t cycles = replay(config, default_khz, frames)[0].cycles;
+    const std::vector<std::uint64_t> retired = retirements(config, default_khz, frames[0], {}, cycles);
+    CHECK(std::set(retired.begin(), retired.end()).size() == 11);   // four answers in each line
+    CHECK(*std::max_element(retired.begin(), retired.end()) == cycles - 1);
 }
 
 TEST_CASE("the stream of a picture's camera rays has the picture's hits", "[stream]") {
@@ -442,6 +510,17 @@ TEST_CASE("a stream that the chip cannot number or hold is refused", "[stream]")
                       "2041 rays and the scene need 1025 lines of memory, and addr_bits=10 allows 1024");
     place_rays(image, std::span(rays).first(2040), config);
     CHECK(image.end() == 1024);
+
+    config.pixel_writes = true;   // the hits follow: four in a line
+    place_rays(image, std::span(rays).first(1360), config);
+    CHECK(image.first_hit_line == 684);
+    CHECK_NOTHROW(check_capacity(image, config));
+    place_rays(image, std::span(rays).first(1361), config);
+    CHECK_THROWS_WITH(check_capacity(image, config),
+                      "the scene, the rays and their hits need 1029 lines of memory, and addr_bits=10 allows "
+                      "1024; without pixel_writes=1 the chip writes no hits");
+    config.pixel_writes = false;
+    CHECK_NOTHROW(check_capacity(image, config));
 }
 
 TEST_CASE("a chip for streams has no unit that only a picture needs", "[stream]") {
