@@ -104,6 +104,12 @@ public:
                std::uint32_t((feed_ != RayFeed::camera) && surf_or_stream_cache_.miss_valid(now)) << 2 |
                std::uint32_t((feed_ == RayFeed::textured) && tex_cache_.miss_valid(now)) << 3;
     }
+    /// Returns the first cycle in which a cache offers a request to memory, if no more are looked up.
+    std::uint64_t next_miss() const {
+        std::uint64_t next = std::min(node_cache_.next_miss(), prim_cache_.next_miss());
+        if (feed_ != RayFeed::camera) next = std::min(next, surf_or_stream_cache_.next_miss());
+        return feed_ == RayFeed::textured ? std::min(next, tex_cache_.next_miss()) : next;
+    }
     Cache::Miss node_miss() const { return node_cache_.miss(); }
     Cache::Miss prim_miss() const { return prim_cache_.miss(); }
     Cache::Miss surf_or_stream_miss() const { return surf_or_stream_cache_.miss(); }

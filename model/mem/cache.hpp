@@ -76,6 +76,10 @@ public:
     bool miss_valid(std::uint64_t now = ~std::uint64_t(0)) const {
         return !misses_.empty() && misses_.front().since < now;
     }
+    /// Returns the cycle from which on the first request to memory is on offer; never, if there is none.
+    std::uint64_t next_miss() const {
+        return misses_.empty() ? ~std::uint64_t(0) : misses_.front().since + 1;
+    }
     Miss miss() const {
         const std::uint32_t m = misses_.front().mshr;
         return {m << word_bits_ | miss_word_, mshrs_[m].line << word_bits_ | miss_word_};
