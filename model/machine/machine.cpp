@@ -210,11 +210,17 @@ void Machine::run(std::uint64_t until, std::uint64_t hits) {
         if (cycles > 1) {
             pass_window(cycles);
             if (!looks_idle()) continue;
-            if (hits_ >= last || now_ >= until) return;
+            if (hits_ >= last || now_ >= until) break;
         }
+        leave_windows();
         step();
         if (moved_at_ < now_ && undisturbed_) sleep(until);
     }
+    leave_windows();
+}
+
+void Machine::leave_windows() {
+    for (Pipeline& pipeline : pipelines_) pipeline.leave_windows(now_);
 }
 
 bool Machine::looks_idle() const {
@@ -243,9 +249,8 @@ void Machine::pass_window(std::uint64_t cycles) {
     });
     const std::uint64_t hits_before = hits_;
     for (std::size_t p = 0; p < pipelines_.size(); ++p) {
-        const std::uint64_t lookups = pipelines_[p].lookups();
         hits_ += pipelines_[p].run(now_, cycles, fills_[p]);
-        moved |= pipelines_[p].lookups() != lookups;
+        moved |= pipelines_[p].looked_up();
     }
     moved |= hits_ != hits_before;
     finished_ = 0;

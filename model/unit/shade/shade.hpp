@@ -128,12 +128,12 @@ public:
             textures_.pop(texture_taken);
         }
         if (answer) switch (turn(done)) {
-                case Leave::again: again_.push(done); break;
-                case Leave::spawn: spawns_.push(done); break;
-                case Leave::pixel: pixels_.push(done); break;
-                case Leave::texture: textures_.push(done); break;
+                case Leave::again: again_.push<few>(done); break;
+                case Leave::spawn: spawns_.push<few>(done); break;
+                case Leave::pixel: pixels_.push<few>(done); break;
+                case Leave::texture: textures_.push<few>(done); break;
             }
-        if constexpr (textures) textured_.push(RayNumber(textured.ray), textured.valid);
+        if constexpr (textures) textured_.push<few>(RayNumber(textured.ray), textured.valid);
         if constexpr (levels) {
             fetch_.push<few>(RayNumber(place.ray), place.valid);
             places_.push<few>(RayNumber(closest.ray), closest.valid & (fetch == Fetch::instance));
