@@ -120,18 +120,16 @@ inline std::uint32_t select(bool first, std::uint32_t a, std::uint32_t b) {
 }
 
 /// Two queues on one link. The first has priority, but an offer that was not accepted stays. Mirror of
-/// rtl/cells/queues/rc_priority_merge.sv.
+/// rtl/cells/queues/rc_priority_merge.sv, which also remembers an offer of the first; a queue that was not
+/// accepted is still valid.
 class Merge {
 public:
     /// True if the second queue is on offer. `first_valid`: the first queue is valid.
-    bool second(bool first_valid) const { return held_second_ | (!first_valid & !held_first_); }
-    void clock(bool valid, bool taken, bool second) {
-        held_first_ = valid & !taken & !second;
-        held_second_ = valid & !taken & second;
-    }
+    bool second(bool first_valid) const { return held_second_ | !first_valid; }
+    void clock(bool valid, bool taken, bool second) { held_second_ = valid & !taken & second; }
 
 private:
-    bool held_first_ = false, held_second_ = false;
+    bool held_second_ = false;
 };
 
 /// A stall-free pipeline behind a credit gate. A request admitted in cycle c answers from cycle c + latency
@@ -189,9 +187,21 @@ public:
         const std::uint32_t entry = entries_[now % places];
         return {bool(entry / valid), entry % valid};
     }
-    void clock(std::uint64_t now, LinkRay admitted) {
-        under_way_ += int(admitted.valid) - int(answer(now).valid);
-        entries_[(now + latency_) % places] = std::uint16_t(admitted.ray + valid * admitted.valid);
+    void clock(std::uint64_t now, LinkRay ray) {
+        under_way_ += int(ray.valid) - int(answer(now).valid);
+        admit(now, ray);
+    }
+
+    // For a unit that never stalls, whose admissions are known in advance: count() sets the number of rays
+    // under way before the next clock().
+    bool never_stalls() const { return std::uint64_t(depth_) > latency_; }
+    void admit(std::uint64_t now, LinkRay ray) {
+        entries_[(now + latency_) % places] = std::uint16_t(ray.ray + valid * ray.valid);
+    }
+    LinkRay admitted(std::uint64_t now) const { return answer(now + latency_); }
+    void count(std::uint64_t now) {
+        under_way_ = 0;
+        for (std::uint64_t at = now; at < now + latency_; ++at) under_way_ += answer(at).valid;
     }
     /// Skips cycles without an admission, an answer, or an answer that is `kept` cycles old.
     void skip(std::uint64_t now, std::uint64_t cycles) {

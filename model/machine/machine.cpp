@@ -224,11 +224,17 @@ void Machine::run(std::uint64_t until, std::uint64_t hits) {
         if (cycles > 1) {
             pass_window(cycles);
             if (!looks_idle()) continue;
-            if (hits_ >= last || now_ >= until) return;
+            if (hits_ >= last || now_ >= until) break;
         }
+        leave_windows();
         step();
         if (moved_at_ < now_ && undisturbed_) sleep(until);
     }
+    leave_windows();
+}
+
+void Machine::leave_windows() {
+    for (Pipeline& pipeline : pipelines_) pipeline.leave_windows(now_);
 }
 
 bool Machine::looks_idle() const {
@@ -249,37 +255,33 @@ std::uint64_t Machine::window(std::uint64_t until, std::uint64_t hits) const {
 void Machine::pass_window(std::uint64_t cycles) {
     for (auto& fills : fills_)
         for (Fills& of_cache : fills) of_cache.cycles = 0;
-    memory_.each_known(cycles, [this](std::size_t cycle, std::uint32_t id) {
+    bool moved = false;
+    memory_.each_known(cycles, [&](std::size_t cycle, std::uint32_t id) {
+        moved = true;
         const std::uint32_t client = id >> client_shift_;
         fills_[client / clients_][client % clients_].add(cycle, id & ((1u << client_shift_) - 1));
     });
     const std::uint64_t hits_before = hits_;
-    bool moved = false;
     for (std::size_t p = 0; p < pipelines_.size(); ++p) {
-        const std::uint64_t lookups = pipelines_[p].lookups();
         hits_ += pipelines_[p].run(now_, cycles, fills_[p]);
-        moved |= pipelines_[p].lookups() != lookups;
+        moved |= pipelines_[p].looked_up();
     }
     moved |= hits_ != hits_before;
     finished_ = 0;
     for (const std::uint64_t end = now_ + cycles; now_ < end;) {
-        std::uint64_t still = memory_.valid() ? 0 : std::min(end - now_, memory_.still());
-        for (const Pipeline& pipeline : pipelines_)
-            if (pipeline.has_request(false))
-                still = pipeline.misses(now_) ? 0 : std::min<std::uint64_t>(still, 1);
-        if (still == 0) {
+        std::uint64_t next = end;   // request, which caches offer from the cycle after its look-up on
+        for (const Pipeline& pipeline : pipelines_) next = std::min(next, pipeline.next_miss());
+        if (next <= now_) {
             settle_shared(false);
             clock_shared();
             continue;
         }
+        const std::uint64_t still = next - now_;
         last_shared_ = (dispatch_.more() ? 2 : 1) | 1 << 2;   // the codes of waiting units
         shared_counts_[last_shared_] += still;
         valid_ = fire_ = 0;
-        if (still == 1)
-            memory_.clock(nullptr);
-        else
-            memory_.skip(still);
-        now_ += still;
+        memory_.pass(still);
+        now_ = next;
     }
     if (moved) moved_at_ = now_;
 }

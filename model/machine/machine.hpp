@@ -107,6 +107,7 @@ private:
     bool shared_is_still() const;
     std::uint64_t window(std::uint64_t until, std::uint64_t hits) const;
     void pass_window(std::uint64_t cycles);
+    void leave_windows();
     bool looks_idle() const;
     void settle_pipelines();
     void clock_pipelines();

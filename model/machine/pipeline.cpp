@@ -2,6 +2,7 @@
 #include "model/machine/pipeline.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace rayclock {
 
@@ -45,8 +46,33 @@ Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
       sink_(config.writes_hits() ? Traffic{} : traffic, number),   // otherwise the unit hits alone stalls
       rays_(std::size_t(config.contexts)),
       is_plain_(config.timing == Timing::relaxed && !config.is_list() && traffic.none() &&
-                config.contexts <= RayRing::most_few && raygen_hold_ + box_hold_ + tri_hold_ == 0),
+                config.contexts <= RayRing::most_few && raygen_hold_ + box_hold_ + tri_hold_ == 0 &&
+                node_unit_.never_stalls() && tri_.never_stalls() && prim_cache_.answers_at_once() &&
+                node_cache_.answers_at_once()),
       window_(longest_window(config)) {}
+
+/// Calls `f` for each cache whose answers are not queued in windows, and the unit behind it.
+template <class F> void Pipeline::each_unqueued(F&& f) {
+    f(prim_cache_, tri_);
+    if (!has_instances_) f(node_cache_, node_unit_);
+}
+
+void Pipeline::enter_windows(std::uint64_t now) {
+    in_windows_ = true;
+    each_unqueued([now](Cache& cache, Delay& unit) {
+        const std::array<LinkRay, 2> answers = cache.take_answers();
+        unit.admit(now, answers[0]);
+        unit.admit(now + 1, answers[1]);
+    });
+}
+
+void Pipeline::leave_windows(std::uint64_t now) {
+    if (!std::exchange(in_windows_, false)) return;
+    each_unqueued([now](Cache& cache, Delay& unit) {
+        cache.put_answers({unit.admitted(now), unit.admitted(now + 1)});
+        unit.count(now);
+    });
+}
 
 void Pipeline::settle(std::uint64_t now) {
     moves_ = {};
@@ -60,7 +86,8 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
                               const std::array<int, pipeline_units>& order) {
     const std::uint32_t prim_codes = prim_side_codes<false>(moves_),
                         node_codes = node_side_codes<false>(moves_);
-    with_shape([&]<RayFeed feed, bool levels>() { account_ray_side(ray_side_codes<feed, false>(moves_)); });
+    with_shape(
+        [&]<RayFeed feed, bool levels>() { account_ray_side<false>(ray_side_codes<feed, false>(moves_)); });
     for (const int unit : order) switch (Unit(unit)) {
             case Unit::sched:
                 with_shape(
@@ -73,8 +100,10 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
             case Unit::trav:
                 with_shape([&]<RayFeed feed, bool levels>() { clock_trav<feed, levels, false>(moves_); });
                 break;
-            case Unit::node_cache: clock_node_cache<false>(moves_, now, shared.node_fill); break;
-            case Unit::box: clock_node_unit<false>(moves_, now); break;   // whichever engine it belongs to
+            case Unit::node_cache: clock_node_cache<false, false>(moves_, now, shared.node_fill); break;
+            case Unit::box:
+                clock_node_unit<false, false>(moves_, now);
+                break;   // whichever engine it belongs to
             case Unit::xform:
                 if (has_instances_) clock_xform(moves_, now);
                 break;
@@ -85,7 +114,7 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
             case Unit::prim_cache: clock_prim_cache<false>(moves_, now, shared.prim_fill); break;
             case Unit::tri: clock_tri<false>(moves_, now); break;
             case Unit::surf_cache:
-                if (is_shaded(feed_)) clock_surf_cache(moves_, now, shared.surf_or_stream_fill);
+                if (is_shaded(feed_)) clock_surf_cache<false>(moves_, now, shared.surf_or_stream_fill);
                 break;
             case Unit::stream:
                 if (feed_ == RayFeed::stream) clock_stream(moves_, now, shared.surf_or_stream_fill);
@@ -100,16 +129,8 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
                 break;
             default: break;   // the other node units: see the case of box
         }
-    account_prim_side(prim_codes);
-    account_node_side(node_codes);
-}
-
-void Pipeline::clock_surf_cache(const Moves& m, std::uint64_t now, const std::uint32_t* fill) {
-    const LinkInside& req = m[Link::surf_req];
-    surf_or_stream_outcome_ = surf_or_stream_cache_.clock(req.fires, {req.ray, surf_addr(req.ray)},
-                                                          m[Link::surf_rsp].fires, fill, now);
-    last_surf_or_stream_ = std::uint32_t(surf_or_stream_outcome_) | m.shade_code << cause_bits;
-    ++surf_or_stream_cycles_[last_surf_or_stream_];
+    account_prim_side<false>(prim_codes);
+    account_node_side<false>(node_codes);
 }
 
 void Pipeline::clock_stream(const Moves& m, std::uint64_t now, const std::uint32_t* fill) {

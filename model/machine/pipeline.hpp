@@ -67,14 +67,16 @@ public:
     /// Performs `cycles` cycles from `now` on, at most window(). No tile comes, and the receiver of pixels
     /// does not change. Returns the number of hits that left. `fills`: in the order of the caches' numbers.
     std::uint32_t run(std::uint64_t now, std::uint64_t cycles, const std::array<Fills, 4>& fills);
+    /// Prepares for another call than run(), at the end of the windows before cycle `now`.
+    void leave_windows(std::uint64_t now);
     /// Returns the longest window from this cycle on. `more`: there are tiles left.
     std::uint64_t window(bool more) const { return more ? std::min(window_, sched_.before_tile()) : window_; }
     /// True if the caches looked nothing up in the last cycle: the pipeline may be asleep.
     bool looks_idle() const {
         return (node_outcome_ > CacheOutcome::drain) & (prim_outcome_ > CacheOutcome::drain);
     }
-    /// Returns how many look-ups and drains node_cache and prim_cache have made.
-    std::uint64_t lookups() const { return lookups_; }
+    /// True if node_cache or prim_cache looked something up, or drained, in the last run().
+    bool looked_up() const { return looked_up_; }
     /// A request of a cache to memory was accepted.
     void take_miss(std::uint32_t cache) {
         (cache == 0   ? node_cache_
@@ -103,6 +105,12 @@ public:
         return std::uint32_t(node_cache_.miss_valid(now)) | std::uint32_t(prim_cache_.miss_valid(now)) << 1 |
                std::uint32_t((feed_ != RayFeed::camera) && surf_or_stream_cache_.miss_valid(now)) << 2 |
                std::uint32_t((feed_ == RayFeed::textured) && tex_cache_.miss_valid(now)) << 3;
+    }
+    /// Returns the first cycle in which a cache offers a request to memory, if no more are looked up.
+    std::uint64_t next_miss() const {
+        std::uint64_t next = std::min(node_cache_.next_miss(), prim_cache_.next_miss());
+        if (feed_ != RayFeed::camera) next = std::min(next, surf_or_stream_cache_.next_miss());
+        return feed_ == RayFeed::textured ? std::min(next, tex_cache_.next_miss()) : next;
     }
     Cache::Miss node_miss() const { return node_cache_.miss(); }
     Cache::Miss prim_miss() const { return prim_cache_.miss(); }
@@ -252,6 +260,8 @@ private:
     template <RayFeed feed, bool levels, bool plain>
     void settle_node_side(Moves& m, std::uint64_t now, std::size_t c);
     template <RayFeed feed, bool levels, bool plain> void settle_ray_side(Moves& m, std::uint64_t now) const;
+    template <bool plain>
+    void settle_xform(Moves& m, std::uint64_t now, std::uint32_t read, bool enters) const;
     void settle_tex(Moves& m, std::uint64_t now) const;
     template <bool plain> void clock_prim_side(const Moves& m, std::uint64_t now, const std::uint32_t* fill);
     template <RayFeed feed, bool levels, bool plain>
@@ -271,36 +281,47 @@ private:
     Decision::Flags decide(std::uint32_t ray, bool valid);
     bool has_tests(std::uint32_t ray) const { return VisitWord{rays_[ray].head}.has_tests(); }
     void enter(const LinkInside& change);
+    void enter_windows(std::uint64_t now);
+    template <class F> void each_unqueued(F&& f);
     template <RayFeed feed, bool levels> Shade::Leave turn_of(std::uint32_t ray);
     // Codes of the units other than caches, before the clock edge.
     template <bool plain> std::uint32_t prim_side_codes(const Moves& m) const;
     template <bool plain> std::uint32_t node_side_codes(const Moves& m) const;
     template <RayFeed feed, bool plain> std::uint32_t ray_side_codes(const Moves& m) const;
-    // Count a cycle, with these codes and the outcome of the side's cache.
-    void account_prim_side(std::uint32_t codes) {
-        last_prim_side_ = codes << cause_bits | std::uint32_t(prim_outcome_);
-        ++prim_side_[last_prim_side_];
-        lookups_ += prim_outcome_ <= CacheOutcome::drain;
+    // Count a cycle, with these codes and the outcome of the side's cache. Only single cycles, which are not
+    // plain, need the last one.
+    template <bool plain> void account_prim_side(std::uint32_t codes) {
+        const std::uint32_t packed = codes << cause_bits | std::uint32_t(prim_outcome_);
+        ++prim_side_[packed];
+        if (!plain) last_prim_side_ = packed;
+        looked_up_ |= prim_outcome_ <= CacheOutcome::drain;
     }
-    void account_node_side(std::uint32_t codes) {
-        last_node_side_ = codes << cause_bits | std::uint32_t(node_outcome_);
-        ++node_side_[last_node_side_];
-        lookups_ += node_outcome_ <= CacheOutcome::drain;
+    template <bool plain> void account_node_side(std::uint32_t codes) {
+        const std::uint32_t packed = codes << cause_bits | std::uint32_t(node_outcome_);
+        ++node_side_[packed];
+        if (!plain) last_node_side_ = packed;
+        looked_up_ |= node_outcome_ <= CacheOutcome::drain;
     }
-    void account_ray_side(std::uint32_t codes) {
-        last_ray_side_ = codes;
-        ++ray_side_[last_ray_side_];
+    template <bool plain> void account_ray_side(std::uint32_t codes) {
+        ++ray_side_[codes];
+        if (!plain) last_ray_side_ = codes;
     }
     template <RayFeed feed, bool plain> void clock_sched(const Moves& m, std::size_t c, const Tile* tile);
     template <RayFeed feed, bool plain> void clock_raygen(const Moves& m, std::uint64_t now, std::size_t c);
     template <RayFeed feed, bool levels, bool plain> void clock_trav(const Moves& m);
-    template <bool plain> void clock_node_cache(const Moves& m, std::uint64_t now, const std::uint32_t* fill);
-    template <bool plain> void clock_node_unit(const Moves& m, std::uint64_t now);
+    /// Clocks a cache in front of a unit. `read`: the unit accepts its answer. `unqueued`: the answer is sent
+    /// ahead to the unit, which always accepts it.
+    template <bool unqueued, bool plain>
+    CacheOutcome clock_cache(Cache& cache, const LinkInside& request, std::uint32_t line, bool read,
+                             Delay& unit, std::uint64_t now, const std::uint32_t* fill);
+    template <bool levels, bool plain>
+    void clock_node_cache(const Moves& m, std::uint64_t now, const std::uint32_t* fill);
+    template <bool levels, bool plain> void clock_node_unit(const Moves& m, std::uint64_t now);
     void clock_xform(const Moves& m, std::uint64_t now);
     template <bool plain> void clock_list(const Moves& m);
     template <bool plain> void clock_prim_cache(const Moves& m, std::uint64_t now, const std::uint32_t* fill);
     template <bool plain> void clock_tri(const Moves& m, std::uint64_t now);
-    void clock_surf_cache(const Moves& m, std::uint64_t now, const std::uint32_t* fill);
+    template <bool plain> void clock_surf_cache(const Moves& m, std::uint64_t now, const std::uint32_t* fill);
     void clock_stream(const Moves& m, std::uint64_t now, const std::uint32_t* fill);
     void clock_tex(const Moves& m, std::uint64_t now, const std::uint32_t* fill);
     template <RayFeed feed, bool levels, bool plain>
@@ -343,6 +364,9 @@ private:
     /// A chip that is not fast, with a tree, few contexts, no test traffic, and units that accept a ray in
     /// every cycle.
     bool is_plain_;
+    /// A plain chip is between windows: the answers of prim_cache are already in tri_, and with one level
+    /// those of node_cache in node_unit_.
+    bool in_windows_ = false;
     std::uint64_t window_;   // most cycles in which the sides run alone
     // Signals from an earlier to a later side, by cycle of the window: rays that leave list's tests, the
     // transfers on the link ray, and rays that leave trav (the link closest, or hit).
@@ -354,7 +378,7 @@ private:
     bool asleep_ = false;
 
     // Cycles by the units' codes. A cache's outcome has cause_bits; the code of shade or tex follows it.
-    std::uint64_t lookups_ = 0;
+    bool looked_up_ = false;
     std::uint32_t last_prim_side_ = 0, last_node_side_ = 0, last_ray_side_ = 0, last_surf_or_stream_ = 0;
     std::array<std::uint64_t, 1 << (cause_bits + 2 * UnitCodes::code_bits)> prim_side_{}, node_side_{};
     std::array<std::uint64_t, 1 << 2 * UnitCodes::code_bits> ray_side_{};

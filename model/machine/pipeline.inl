@@ -24,9 +24,26 @@ template <bool plain>
     tested_[c] = {bool(m.tri_answer.valid & !m.another), m.tri_answer.ray};
     settle_leaves<plain>(m, now);
     m.offer(Link::prim_req, list_.prim_valid(), prim_cache_.ready<plain>(), list_.prim_ray<plain>());
-    m.offer(Link::tri_req, prim_cache_.valid<plain>(), tri_.ready() & !is_held<plain>(tri_hold_left_),
-            prim_cache_.answer());
+    if constexpr (plain)
+        m.offer(Link::tri_req, tri_.admitted(now).valid, true, 0);   // the ray is already in tri_
+    else
+        m.offer(Link::tri_req, prim_cache_.valid(), tri_.ready() & !is_held<plain>(tri_hold_left_),
+                prim_cache_.answer());
     m.offer(Link::tri_rsp, from_tri.valid, true, from_tri.ray);
+}
+
+/// Settles the links of xform. `read`: the ray whose node was read; `enters`: the node is an instance.
+template <bool plain> [[gnu::always_inline]] inline void Pipeline::settle_xform(Moves& m, std::uint64_t now,
+                                                                                std::uint32_t read,
+                                                                                bool enters) const {
+    m.lower_code = node_unit_code<plain>(m, true);
+    const LinkRay changed = xform_.answer(now);
+    m.offer(Link::xform_req, node_cache_.valid<plain>() & enters, xform_hold_left_ == 0, read);
+    m.offer(Link::change, changed.valid, true, changed.ray);
+    m.read = m.read | m[Link::xform_req].fires;
+    m.xform_code = (m[Link::xform_req].valid | (xform_hold_left_ > 0)) ? busy_code
+                   : node_cache_.has_misses_in_flight() ? cause_code(Unit::xform, starved("memory"))
+                                                        : cause_code(Unit::xform, starved("trav"));
 }
 
 template <Pipeline::RayFeed feed, bool levels, bool plain>
@@ -35,21 +52,17 @@ template <Pipeline::RayFeed feed, bool levels, bool plain>
     started_[c] = m[Link::ray];
     m.offer(Link::node_req, trav_.node_valid<levels>() & (plain || !is_list_), node_cache_.ready<plain>(),
             trav_.node_ray<levels, plain>());
-    const std::uint32_t read = node_cache_.answer();
-    const bool enters = levels && VisitWord{rays_[read].head}.is_entry();
-    m.lower_request = levels && is_low(read);
-    m.offer(node_unit_req, node_cache_.valid<plain>() & !enters,
-            node_unit_.ready() & (!is_held<plain>(box_hold_left_) | (m.lower_request != box_is_low_)), read);
-    if constexpr (levels) m.lower_code = node_unit_code<plain>(m, true);
-    m.read = m[node_unit_req].fires;
-    if constexpr (levels) {
-        const LinkRay changed = xform_.answer(now);
-        m.offer(Link::xform_req, node_cache_.valid<plain>() & enters, xform_hold_left_ == 0, read);
-        m.offer(Link::change, changed.valid, true, changed.ray);
-        m.read = m.read | m[Link::xform_req].fires;
-        m.xform_code = (m[Link::xform_req].valid | (xform_hold_left_ > 0)) ? busy_code
-                       : node_cache_.has_misses_in_flight() ? cause_code(Unit::xform, starved("memory"))
-                                                            : cause_code(Unit::xform, starved("trav"));
+    if constexpr (plain && !levels) {
+        m.offer(node_unit_req, node_unit_.admitted(now).valid, true, 0);   // the ray is already in node_unit_
+    } else {
+        const std::uint32_t read = node_cache_.answer();
+        const bool enters = levels && VisitWord{rays_[read].head}.is_entry();
+        m.lower_request = levels && is_low(read);
+        m.offer(node_unit_req, node_cache_.valid<plain>() & !enters,
+                node_unit_.ready() & (!is_held<plain>(box_hold_left_) | (m.lower_request != box_is_low_)),
+                read);
+        m.read = m[node_unit_req].fires;
+        if constexpr (levels) settle_xform<plain>(m, now, read, enters);
     }
     const LinkRay from_node_unit = node_unit_.answer(now);
     m.lower_answer = levels && is_low(from_node_unit.ray);
@@ -199,15 +212,29 @@ template <Pipeline::RayFeed feed, bool levels, bool plain>
                                [this](std::uint32_t ray, bool valid) { return decide(ray, valid); });
 }
 
-template <bool plain>
+template <bool unqueued, bool plain>
+[[gnu::always_inline]] inline CacheOutcome Pipeline::clock_cache(Cache& cache, const LinkInside& request,
+                                                                 std::uint32_t line, bool read, Delay& unit,
+                                                                 std::uint64_t now,
+                                                                 const std::uint32_t* fill) {
+    if constexpr (!unqueued) return cache.clock<plain>(request.fires, {request.ray, line}, read, fill, now);
+    const Cache::LookUp made = cache.clock_unqueued(request.fires, {request.ray, line}, now);
+    unit.admit(now + 2, made.answer);
+    return made.outcome;
+}
+
+template <bool levels, bool plain>
 [[gnu::always_inline]] inline void Pipeline::clock_node_cache(const Moves& m, std::uint64_t now,
                                                               const std::uint32_t* fill) {
     const LinkInside& req = m[Link::node_req];
-    node_outcome_ = node_cache_.clock<plain>(req.fires, {req.ray, node_addr(req.ray)}, m.read, fill, now);
+    constexpr bool unqueued = plain && !levels;
+    node_outcome_ =
+        clock_cache<unqueued, plain>(node_cache_, req, node_addr(req.ray), m.read, node_unit_, now, fill);
 }
 
-template <bool plain>
+template <bool levels, bool plain>
 [[gnu::always_inline]] inline void Pipeline::clock_node_unit(const Moves& m, std::uint64_t now) {
+    if constexpr (plain && !levels) return;
     node_unit_.clock(now, m[node_unit_req]);
     if constexpr (plain) return;
     box_hold_left_ = select(m[node_unit_req].fires & (m.lower_request == box_is_low_), box_hold_,
@@ -226,14 +253,14 @@ template <bool plain>
 [[gnu::always_inline]] inline void Pipeline::clock_prim_cache(const Moves& m, std::uint64_t now,
                                                               const std::uint32_t* fill) {
     const LinkInside& req = m[Link::prim_req];
-    prim_outcome_ = prim_cache_.clock<plain>(req.fires, {req.ray, prim_addr(req.ray) >> 1},
-                                             m[Link::tri_req].fires, fill, now);
+    prim_outcome_ = clock_cache<plain, plain>(prim_cache_, req, prim_addr(req.ray) >> 1,
+                                              m[Link::tri_req].fires, tri_, now, fill);
 }
 
 template <bool plain>
 [[gnu::always_inline]] inline void Pipeline::clock_tri(const Moves& m, std::uint64_t now) {
-    tri_.clock(now, m[Link::tri_req]);
     if constexpr (plain) return;
+    tri_.clock(now, m[Link::tri_req]);
     tri_hold_left_ = select(m[Link::tri_req].fires, tri_hold_, tri_hold_left_ - (tri_hold_left_ > 0));
 }
 
@@ -248,13 +275,23 @@ template <bool plain>
 }
 
 template <bool plain>
+[[gnu::always_inline]] inline void Pipeline::clock_surf_cache(const Moves& m, std::uint64_t now,
+                                                              const std::uint32_t* fill) {
+    const LinkInside& req = m[Link::surf_req];
+    surf_or_stream_outcome_ = surf_or_stream_cache_.clock<plain>(req.fires, {req.ray, surf_addr(req.ray)},
+                                                                 m[Link::surf_rsp].fires, fill, now);
+    last_surf_or_stream_ = std::uint32_t(surf_or_stream_outcome_) | m.shade_code << cause_bits;
+    ++surf_or_stream_cycles_[last_surf_or_stream_];
+}
+
+template <bool plain>
 [[gnu::always_inline]] inline void Pipeline::clock_prim_side(const Moves& m, std::uint64_t now,
                                                              const std::uint32_t* fill) {
     const std::uint32_t codes = prim_side_codes<plain>(m);
     clock_list<plain>(m);
     clock_prim_cache<plain>(m, now, fill);
     clock_tri<plain>(m, now);
-    account_prim_side(codes);
+    account_prim_side<plain>(codes);
 }
 
 template <Pipeline::RayFeed feed, bool levels, bool plain>
@@ -265,21 +302,21 @@ template <Pipeline::RayFeed feed, bool levels, bool plain>
     list_.clock_tested<plain>(tested_[c], m[Link::tested].fires);
     clock_trav<feed, levels, plain>(m);
     if constexpr (levels) clock_xform(m, now);
-    clock_node_cache<plain>(m, now, fill);
-    clock_node_unit<plain>(m, now);
-    account_node_side(codes);
+    clock_node_cache<levels, plain>(m, now, fill);
+    clock_node_unit<levels, plain>(m, now);
+    account_node_side<plain>(codes);
 }
 
 template <Pipeline::RayFeed feed, bool levels, bool plain>
 [[gnu::always_inline]] inline void Pipeline::clock_ray_side(const Moves& m, std::uint64_t now, std::size_t c,
                                                             const Tile* tile, const std::uint32_t* fill,
                                                             const std::uint32_t* tex_fill) {
-    account_ray_side(ray_side_codes<feed, plain>(m));
+    account_ray_side<plain>(ray_side_codes<feed, plain>(m));
     clock_sched<feed, plain>(m, c, tile);
     clock_raygen<feed, plain>(m, now, c);
     if constexpr (feed == RayFeed::stream) clock_stream(m, now, fill);
     if constexpr (is_shaded(feed)) {
-        clock_surf_cache(m, now, fill);
+        clock_surf_cache<plain>(m, now, fill);
         clock_shade<feed, levels, plain>(m, now, c);
         if constexpr (feed == RayFeed::textured) clock_tex(m, now, tex_fill);
     }
@@ -328,6 +365,7 @@ inline bool Pipeline::step(std::uint64_t now, const SharedMoves& shared) {
 template <Pipeline::RayFeed feed, bool levels, bool plain>
 inline std::uint32_t Pipeline::run(std::uint64_t now, std::uint64_t cycles,
                                    const std::array<Fills, 4>& fills) {
+    looked_up_ = false;
     for (std::size_t c = 0; c < cycles; ++c) {
         Moves m;
         settle_prim_side<plain>(m, now + c, c);
@@ -354,6 +392,7 @@ inline std::uint32_t Pipeline::run(std::uint64_t now, std::uint64_t cycles,
 
 inline std::uint32_t Pipeline::run(std::uint64_t now, std::uint64_t cycles,
                                    const std::array<Fills, 4>& fills) {
+    if (is_plain_ && !in_windows_) enter_windows(now);
     return with_shape([&]<RayFeed feed, bool levels>() {
         return is_plain_ ? run<feed, levels, true>(now, cycles, fills)
                          : run<feed, levels, false>(now, cycles, fills);

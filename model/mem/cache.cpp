@@ -46,28 +46,39 @@ Cache::Cache(const CacheShape& shape)
       filled_(shape.mshrs),
       answers_(shape.queue) {
     for (std::uint32_t way = 0; way < std::uint32_t(shape.ways); ++way) {
-        plru_keep_[way] = 0xff;
+        std::uint32_t values = 0, others = ~0u;
         for (std::uint32_t node = way + std::uint32_t(shape.ways); node > 1; node >>= 1) {
             const std::uint32_t bit = 1u << (node >> 1);
-            plru_keep_[way] = std::uint8_t(plru_keep_[way] & ~bit);
-            if (!(node & 1)) plru_set_[way] = std::uint8_t(plru_set_[way] | bit);
+            others &= ~bit;
+            if (!(node & 1)) values |= bit;
         }
+        uses_[way] = values | others << 8;
     }
 }
 
-CacheOutcome Cache::allocate_mshr(const Request& request, std::uint32_t line, std::uint32_t number,
-                                  std::uint64_t now) {
+/// The line is not present. If it is in flight, the request joins the end of its chain. Otherwise it takes
+/// an MSHR and a way.
+CacheOutcome Cache::miss(const Request& request, std::uint32_t line, Set& set, std::uint64_t now) {
+    for (std::uint32_t way = 0; way < std::uint32_t(shape_.ways); ++way) {
+        if (set.lines[way] != ((line + 1) | in_flight)) continue;
+        set.recent = after(set.recent, uses_[way]);
+        Mshr& m = mshrs_[set.mshrs[way]];
+        next_[m.tail] = request.id;
+        m.tail = request.id;
+        in_.pop();
+        return CacheOutcome::merge;
+    }
     if (busy_ == shape_.mshrs) return CacheOutcome::mshrs;
-    Set& set = sets_[number];
-    const int way = victim(set);
-    if (way < 0) return CacheOutcome::conflict;
+    const int place = victim(set);
+    if (place < 0) return CacheOutcome::conflict;
+    const auto way = std::uint32_t(place);
     std::uint32_t m = 0;
     while (mshrs_[m].busy) ++m;
-    mshrs_[m] = {true, line, number, std::uint32_t(way), request.id, request.id, 0};
+    mshrs_[m] = {true, line, line & set_mask_, way, request.id, request.id, 0};
     ++busy_;
-    set.lines[std::size_t(way)] = line + 1;
-    set.mshrs[std::size_t(way)] = std::uint8_t(m + 1);
-    set.recent = touched(set, std::uint32_t(way));
+    set.lines[way] = (line + 1) | in_flight;
+    set.mshrs[way] = std::uint8_t(m);
+    set.recent = after(set.recent, uses_[way]);
     misses_.push({m, now});
     in_.pop();
     return CacheOutcome::miss;
@@ -77,7 +88,7 @@ bool Cache::warm(std::uint32_t addr) {
     const std::uint32_t line = addr >> word_bits_;
     Set& set = sets_[line & set_mask_];
     std::uint32_t way = 0;
-    while (way < std::uint32_t(shape_.ways) && set.lines[way] != line + 1) ++way;
+    while (way < std::uint32_t(shape_.ways) && (set.lines[way] & ~in_flight) != line + 1) ++way;
     const bool present = way < std::uint32_t(shape_.ways);
     if (!present) {
         const int place = victim(set);
@@ -85,33 +96,36 @@ bool Cache::warm(std::uint32_t addr) {
         way = std::uint32_t(place);
         set.lines[way] = line + 1;
     }
-    set.recent = touched(set, way);
+    set.recent = after(set.recent, uses_[way]);
     return present;
 }
 
-/// The line is in flight: the request joins the end of its chain.
-CacheOutcome Cache::merge_into_mshr(const Request& request, Set& set, std::uint32_t way) {
-    set.recent = touched(set, way);
-    Mshr& m = mshrs_[set.mshrs[way] - 1u];
-    next_[m.tail] = request.id;
-    m.tail = request.id;
-    in_.pop();
-    return CacheOutcome::merge;
-}
-
-CacheOutcome Cache::drain(bool room, bool answer_taken) {
+Cache::LookUp Cache::drain(bool room) {
+    if (!room) return {CacheOutcome::answers, {}};
     Mshr& m = mshrs_[filled_.front()];
-    answer(answer_taken, room, m.head);
-    if (!room) return CacheOutcome::answers;
+    const LinkRay answer{true, m.head};
     if (m.head == m.tail) {
         m.busy = false;
         --busy_;
         filled_.pop();
-        sets_[m.set].mshrs[m.way] = 0;
+        sets_[m.set].lines[m.way] &= ~in_flight;
     } else {
         m.head = next_[m.head];
     }
-    return CacheOutcome::drain;
+    return {CacheOutcome::drain, answer};
+}
+
+std::array<LinkRay, 2> Cache::take_answers() {
+    std::array<LinkRay, 2> answers{LinkRay{valid<true>(), answers_.front()}, {read_, 0}};
+    answers_.pop(answers[0].valid);
+    answers[1].ray = answers_.front();
+    answers_.pop(answers[1].valid);
+    return answers;
+}
+
+void Cache::put_answers(const std::array<LinkRay, 2>& answers) {
+    for (const LinkRay& answer : answers) answers_.push(answer.ray, answer.valid);
+    read_ = answers[1].valid;
 }
 
 void Cache::fill(std::uint32_t id) {
@@ -123,9 +137,9 @@ int Cache::victim(const Set& set) const {
     const std::uint32_t ways = std::uint32_t(shape_.ways);
     std::uint32_t node = 1;
     while (node < ways) node = 2 * node + (set.recent >> node & 1);
-    if (set.mshrs[node - ways] == 0) return int(node - ways);
+    if (!waits(set, node - ways)) return int(node - ways);
     for (std::uint32_t way = 0; way < ways; ++way)
-        if (set.mshrs[way] == 0) return int(way);
+        if (!waits(set, way)) return int(way);
     return -1;
 }
 

@@ -76,6 +76,10 @@ public:
     bool miss_valid(std::uint64_t now = ~std::uint64_t(0)) const {
         return !misses_.empty() && misses_.front().since < now;
     }
+    /// Returns the cycle from which on the first request to memory is on offer; never, if there is none.
+    std::uint64_t next_miss() const {
+        return misses_.empty() ? ~std::uint64_t(0) : misses_.front().since + 1;
+    }
     Miss miss() const {
         const std::uint32_t m = misses_.front().mshr;
         return {m << word_bits_ | miss_word_, mshrs_[m].line << word_bits_ | miss_word_};
@@ -86,20 +90,39 @@ public:
     template <bool uncut = false> CacheOutcome clock(bool asked, const Request& request, bool answer_taken,
                                                      const std::uint32_t* fill_id, std::uint64_t now = 0) {
         // Look-ups, drains and the room for answers depend on the state at the beginning of the cycle.
-        const bool room = !answers_.full();
-        CacheOutcome outcome;
-        if (!filled_.empty()) [[unlikely]]
-            outcome = drain(room, answer_taken);
-        else
-            outcome = look_up<uncut>(room, answer_taken, now);
+        const LookUp made = look_up_or_drain(!answers_.full(), now);
+        answers_.pop(answer_taken);
+        answers_.push(made.answer.ray, made.answer.valid);
+        if (!uncut) reading_ = read_ & (shape_.cut != 0);
+        read_ = made.answer.valid;
         if (fill_id) [[unlikely]]
             fill(*fill_id);
         if (!uncut && shape_.cut)
             load(asked, request);
         else
             in_.push(request, asked);
-        return outcome;
+        return made.outcome;
     }
+
+    /// A look-up or drain, and the request that it answers.
+    struct LookUp {
+        CacheOutcome outcome;
+        LinkRay answer;
+    };
+    /// True if an answer leaves in the second cycle after its look-up, provided that it is then accepted.
+    bool answers_at_once() const { return shape_.cut == 0 && shape_.queue > 2; }
+    /// Does the same as clock() without a fill, if answers_at_once() and all answers are accepted. The queue
+    /// of answers is not used.
+    LookUp clock_unqueued(bool asked, const Request& request, std::uint64_t now) {
+        const LookUp made = look_up_or_drain(true, now);
+        in_.push(request, asked);
+        return made;
+    }
+    /// Empties the queue of answers before calls of clock_unqueued(). Returns the answer of this cycle and
+    /// that of the next.
+    std::array<LinkRay, 2> take_answers();
+    /// Fills it again, before other calls.
+    void put_answers(const std::array<LinkRay, 2>& answers);
 
     /// The offered request to memory was accepted. Call it before or after the cycle's clock().
     void take_miss() {
@@ -128,21 +151,23 @@ private:
         std::uint32_t line = 0, set = 0, way = 0, head = 0, tail = 0, words = 0;
     };
     static constexpr std::uint32_t max_ways = 8;
-    /// The lines that a set's ways hold, and the MSHRs that these wait for.
-    struct Set {
+    /// The lines that a set's ways hold or wait for.
+    struct alignas(64) Set {
         std::array<std::uint32_t, max_ways> lines{};   ///< + 1; 0: none
-        std::array<std::uint8_t, max_ways> mshrs{};    ///< + 1; 0: the line is present
-        std::uint8_t recent = 0;                       ///< bits of the tree, node 1 at bit 1
+        std::array<std::uint8_t, max_ways> mshrs{};    ///< of lines in flight
+        std::uint32_t recent = 0;                      ///< bits of the tree, node 1 at bit 1
     };
-    template <bool uncut> CacheOutcome look_up(bool room, bool answer_taken, std::uint64_t now);
-    std::uint32_t place_of(const Set& set, std::uint32_t line) const;
-    CacheOutcome drain(bool room, bool answer_taken);
-    template <bool uncut = false> void answer(bool taken, bool given, std::uint32_t id) {
-        answers_.pop(taken);
-        answers_.push(id, given);
-        if (!uncut) reading_ = read_ & (shape_.cut != 0);
-        read_ = given;
+    static constexpr std::uint32_t in_flight = 1u << 31;   ///< flag of a line that a way waits for
+    static bool waits(const Set& set, std::uint32_t way) { return set.lines[way] & in_flight; }
+    LookUp look_up_or_drain(bool room, std::uint64_t now) {
+        if (!filled_.empty()) [[unlikely]]
+            return drain(room);
+        return look_up(room, now);
     }
+    LookUp look_up(bool room, std::uint64_t now);
+    LookUp drain(bool room);
+    std::uint32_t use_of(const Set& set, std::uint32_t line) const;
+    CacheOutcome miss(const Request& request, std::uint32_t line, Set& set, std::uint64_t now);
     /// Moves the head of the queue to its look-up, if that is free.
     void load(bool asked, const Request& request) {
         loaded_ = in_.empty() & !input_queue_.empty();
@@ -150,22 +175,20 @@ private:
         input_queue_.pop(loaded_);
         input_queue_.push(request, asked);
     }
-    CacheOutcome allocate_mshr(const Request& request, std::uint32_t line, std::uint32_t set,
-                               std::uint64_t now);
-    CacheOutcome merge_into_mshr(const Request& request, Set& set, std::uint32_t way);
     int victim(const Set& set) const;
 
     // A bit of the tree points to the half that was used longer ago. Using a way turns the bits above it away
-    // from it.
-    std::uint8_t touched(const Set& set, std::uint32_t way) const {
-        return std::uint8_t((set.recent & plru_keep_[way]) | plru_set_[way]);
+    // from it: uses_[way] has these bits' new values, then, from bit 8 on, ones for all other bits of the
+    // tree. It is never 0.
+    static std::uint32_t after(std::uint32_t recent, std::uint32_t use) {
+        return (recent & use >> 8) | (use & 0xff);
     }
 
     CacheShape shape_;
     int word_bits_;
     std::uint32_t set_mask_;
     std::vector<Set> sets_;
-    std::array<std::uint8_t, max_ways> plru_keep_{}, plru_set_{};
+    std::array<std::uint32_t, max_ways> uses_{};
     std::vector<Mshr> mshrs_;
     int busy_ = 0;
     std::vector<std::uint32_t> next_;   ///< [id]: the next request in its chain
@@ -183,37 +206,36 @@ private:
     bool read_ = false, reading_ = false;   // the last answer, and the one before, are still being read
 };
 
-/// Returns the way that holds this line, + 1; 0 if there is none. At most one way does.
-inline std::uint32_t Cache::place_of(const Set& set, std::uint32_t line) const {
+/// Returns uses_ of the way that holds this line; 0 if none does. At most one way does.
+inline std::uint32_t Cache::use_of(const Set& set, std::uint32_t line) const {
     using Four = std::uint32_t __attribute__((vector_size(16)));
-    const auto among = [line](const std::uint32_t* lines, Four numbers) {
-        Four held;
-        std::memcpy(&held, lines, sizeof held);
-        Four place = Four(held == line + 1) & numbers;
-        place |= __builtin_shufflevector(place, place, 2, 3, 0, 1);
-        place |= __builtin_shufflevector(place, place, 1, 0, 3, 2);
-        return place[0];
+    const auto among = [&](std::size_t first) {
+        Four held, uses;
+        std::memcpy(&held, set.lines.data() + first, sizeof held);
+        std::memcpy(&uses, uses_.data() + first, sizeof uses);
+        uses &= Four(held == line + 1);
+        uses |= __builtin_shufflevector(uses, uses, 2, 3, 0, 1);
+        uses |= __builtin_shufflevector(uses, uses, 1, 0, 3, 2);
+        return uses[0];
     };
-    std::uint32_t place = among(set.lines.data(), Four{1, 2, 3, 4});
-    if (shape_.ways > 4) place |= among(set.lines.data() + 4, Four{5, 6, 7, 8});
-    return place;
+    return shape_.ways > 4 ? among(0) | among(4) : among(0);
 }
 
-template <bool uncut> inline CacheOutcome Cache::look_up(bool room, bool answer_taken, std::uint64_t now) {
+inline Cache::LookUp Cache::look_up(bool room, std::uint64_t now) {
     const Request request = in_.front();
     const bool some = !in_.empty();
-    const std::uint32_t line = request.addr >> word_bits_, number = line & set_mask_;
-    Set& set = sets_[number];
-    const std::uint32_t place = place_of(set, line);
-    const bool found = place != 0;
-    const std::uint32_t way = place - found;
-    const bool hit = some & room & found & (set.mshrs[way] == 0);
-    answer<uncut>(answer_taken, hit, request.id);
-    set.recent = std::uint8_t(select(hit, touched(set, way), set.recent));
+    const std::uint32_t line = request.addr >> word_bits_;
+    Set& set = sets_[line & set_mask_];
+    const std::uint32_t use = use_of(set, line);
+    const bool hit = some & room & (use != 0);
+    set.recent = select(hit, after(set.recent, use), set.recent);
     in_.pop(hit);
     if (some & room & !hit) [[unlikely]]
-        return found ? merge_into_mshr(request, set, way) : allocate_mshr(request, line, number, now);
-    return !some ? CacheOutcome::starved : room ? CacheOutcome::hit : CacheOutcome::answers;
+        return {miss(request, line, set, now), {}};
+    return {!some  ? CacheOutcome::starved
+            : room ? CacheOutcome::hit
+                   : CacheOutcome::answers,
+            {hit, request.id}};
 }
 
 }   // namespace rayclock

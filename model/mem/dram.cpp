@@ -5,19 +5,13 @@
 #include <cassert>
 
 namespace rayclock {
-namespace {
-
-constexpr std::uint64_t giga = 1'000'000'000;   // ps * kHz
-
-}   // namespace
 
 Dram::Dram(const DramPart& part, int khz, int ids)
     : part_(part),
       khz_(std::uint64_t(khz)),
       tck_(std::uint64_t(part.tck)),
-      known_((std::uint64_t(part.cl + part.burst_clocks()) * tck_ + std::uint64_t(part.answer_ps)) * khz_ /
-                 giga +
-             1),
+      period_(giga / khz_),
+      answer_ps_(std::uint64_t(part.cl + part.burst_clocks()) * tck_ + std::uint64_t(part.answer_ps)),
       trefi_(part.trefi / part.tck),
       banks_(part),
       refresh_at_(trefi_),
@@ -42,7 +36,7 @@ void Dram::clock(const Answer* request) {
     const std::uint64_t begin = time_;
     while (!data_.empty() && data_.front().until <= begin) data_.pop();
     ++now_;
-    time_ += giga / khz_;
+    time_ += period_;
     rest_ += giga % khz_;
     const bool carry = rest_ >= khz_;
     rest_ -= carry * khz_;
@@ -66,10 +60,42 @@ std::uint64_t Dram::quiet_until() const {
     std::uint64_t until = answers_.empty() ? never : answers_.front().cycle;
     if (queue_.empty()) return until;
     // The data of a future read come no earlier than the next event.
-    const std::uint64_t data_ps =
-        std::uint64_t(part_.cl + part_.burst_clocks()) * tck_ + std::uint64_t(part_.answer_ps);
-    until = std::min(until, cycle_from(event_ps_ + data_ps));
+    until = std::min(until, cycle_from(event_ps_ + answer_ps_));
     return ready_ ? until : std::min(until, cycle_from(event_ps_));
+}
+
+/// Returns how many of the next cycles, at most `cycles`, are like each other: without an event and without
+/// an answer, and with one cause.
+std::uint64_t Dram::still(std::uint64_t cycles) const {
+    if (valid_ || busy_) return 0;
+    if (!answers_.empty()) cycles = std::min(cycles, answers_.front().cycle - now_ - 1);
+    std::uint64_t until = event_ps_ - 1;
+    if (!data_.empty()) {
+        const Data& data = data_.front();
+        if (data.until <= time_) return 0;
+        until = std::min(until, data.from < time_ + period_ ? data.until : data.from);
+    }
+    if (refresh_.until > time_) until = std::min(until, refresh_.until);
+    return std::min(cycles, (until - time_) / (period_ + 1));
+}
+
+void Dram::pass(std::uint64_t cycles) {
+    const std::uint64_t end = now_ + cycles;
+    while (now_ < end) {
+        const std::uint64_t alike = still(end - now_);
+        if (alike < 2) {
+            clock(nullptr);
+            if (is_idle()) return;   // from an answer or a write on
+            continue;
+        }
+        const std::uint64_t begin = time_;
+        time_ += period_;   // of the first one
+        last_cause_ = cause(begin);
+        causes_[std::size_t(last_cause_)] += alike;
+        time_ += period_ * (alike - 1);
+        for (rest_ += giga % khz_ * alike; rest_ >= khz_; rest_ -= khz_) ++time_;
+        now_ += alike;
+    }
 }
 
 void Dram::skip(std::uint64_t cycles) {
@@ -129,9 +155,9 @@ void Dram::plan() {
     choice_ = Choice{};
     if (current_ >= 0)
         consider(column_command(queue_[std::size_t(current_)]), queue_[std::size_t(current_)].bank, current_);
-    if (!refreshing_)
+    if (!refreshing_ && arrived_ > std::size_t(current_ >= 0))
         choose();
-    else if (current_ < 0)
+    else if (refreshing_ && current_ < 0)
         consider(banks_.has_open() ? DramCommand::precharge_all : DramCommand::refresh, 0, -1);
     std::int64_t clock = choice_.clock;
     if (arrived_ < queue_.size()) clock = std::min(clock, queue_[arrived_].arrival);

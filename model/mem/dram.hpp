@@ -74,9 +74,18 @@ public:
     /// Has the effect of that many calls of clock(nullptr); must not go beyond quiet_until().
     void skip(std::uint64_t cycles);
 
+    /// Has the effect of that many calls of clock(nullptr), whatever happens in them, or of fewer, if it
+    /// becomes idle before. It jumps over cycles in which nothing changes.
+    void pass(std::uint64_t cycles);
+
     /// Returns the number of cycles, from the current one on, whose answers are known whatever is requested
-    /// in them. Data of a command that is not yet given come at least `known_` cycles after the command.
-    std::uint64_t known() const { return known_; }
+    /// in them. No answer comes earlier than `answer_ps_` after the next event, or after the arrival of a
+    /// request that this cycle accepts.
+    std::uint64_t known() const {
+        const std::uint64_t arrival = period_ + std::uint64_t(part_.request_ps),
+                            next = queue_.empty() ? arrival : std::min(arrival, event_ps_ - time_);
+        return (next - 1 + answer_ps_) * khz_ / giga + 1;
+    }
     /// Calls `f(cycle, id)` for the answers of the next `cycles` cycles, at most known().
     template <class F> void each_known(std::uint64_t cycles, F&& f) const {
         if (valid_) f(std::size_t(0), answer_.id);
@@ -104,6 +113,7 @@ public:
     void record(std::vector<Issued>* log) { log_ = log; }
 
 private:
+    static constexpr std::uint64_t giga = 1'000'000'000;   // ps * kHz
     static constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
     enum class RowOutcome { none, hit, miss, conflict };
     struct Entry {
@@ -132,6 +142,7 @@ private:
     }
     std::uint64_t begin_of(std::uint64_t cycle) const;   // start in ps
     std::uint64_t cycle_from(std::uint64_t ps) const;    // first cycle that begins at or after
+    std::uint64_t still(std::uint64_t cycles) const;
     void accept(const Answer& request);
     void run();    // handles events until time_
     void plan();   // next command and next event
@@ -143,9 +154,10 @@ private:
 
     DramPart part_;
     std::uint64_t khz_, tck_;
-    std::uint64_t known_;
-    std::int64_t trefi_;       // clocks, rounded down
-    std::int64_t clock_ = 0;   // of the last event
+    std::uint64_t period_;      // of the chip's clock, rounded down
+    std::uint64_t answer_ps_;   // from a read to its answer
+    std::int64_t trefi_;        // clocks, rounded down
+    std::int64_t clock_ = 0;    // of the last event
     DramBanks banks_;
     std::vector<Entry> queue_;   // oldest first
     std::size_t arrived_ = 0;    // number of these that the controller sees

@@ -28,9 +28,14 @@ public:
     std::uint64_t quiet_until() const;
     void skip(std::uint64_t cycles);
 
+    // Of one channel, unless known() is 1.
     std::uint64_t known() const { return count_ == 1 ? channels_[0].known() : 1; }
     template <class F> void each_known(std::uint64_t cycles, F&& f) const {
-        channels_[0].each_known(cycles, f);   // of one channel
+        channels_[0].each_known(cycles, f);
+    }
+    void pass(std::uint64_t cycles) {
+        channels_[0].pass(cycles);
+        mirror();
     }
 
     DramStatistics statistics() const;   ///< summed over the channels

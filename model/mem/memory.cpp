@@ -72,14 +72,12 @@ void Memory::clock_awake(const Answer* request, std::uint32_t pixels, const Plac
     } else if (dram_) {
         catch_up();
         dram_->clock(is_used ? &asked : nullptr);
-        sleeping_ = !disturbed_ & !frame_buffer_ & dram_->is_idle() & (written_.empty() || !writes());
+        fall_asleep();
     } else {
         const bool writes = is_used && asked.is_write;
         if (writes) ideal_.write();
         writes_ += writes;
-        ++ideal_outcomes_[std::size_t(ideal_.valid()   ? MemoryOutcome::busy
-                                      : ideal_.waits() ? MemoryOutcome::latency
-                                                       : MemoryOutcome::starved)];
+        ++ideal_outcomes_[std::size_t(ideal_outcome())];
         const Answer read{asked.id, asked.addr};
         ideal_.clock(is_used && !writes ? &read : nullptr);
     }
@@ -114,10 +112,30 @@ void Memory::skip(std::uint64_t cycles) {
     } else if (dram_) {
         dram_->skip(cycles);
     } else {
-        ideal_outcomes_[std::size_t(ideal_.waits() ? MemoryOutcome::latency : MemoryOutcome::starved)] +=
-            cycles;
+        ideal_outcomes_[std::size_t(ideal_outcome())] += cycles;
         ideal_.skip(cycles);
     }
+}
+
+void Memory::pass(std::uint64_t cycles) {
+    now_ += cycles;
+    while (!dram_ && cycles > 0) {
+        const bool comes = ideal_.valid();
+        const std::uint64_t alike = comes ? 1 : std::min(cycles, ideal_.quiet_until() - ideal_.now());
+        ideal_outcomes_[std::size_t(ideal_outcome())] += alike;
+        if (comes)
+            ideal_.clock(nullptr);
+        else
+            ideal_.skip(alike);
+        cycles -= alike;
+    }
+    while (!sleeping_ && cycles > 0) {
+        const std::uint64_t before = dram_->now();
+        dram_->pass(cycles);
+        cycles -= dram_->now() - before;
+        fall_asleep();
+    }
+    skipped_cycles_ += cycles;
 }
 
 std::array<std::uint64_t, 8> Memory::outcomes() const {

@@ -110,11 +110,9 @@ public:
         else
             ideal_.each_known(cycles, f);
     }
-    /// Returns a number of cycles that skip() may pass in one step: with known() above 1, and valid() false.
-    std::uint64_t still() const {
-        if (sleeping_) return ~std::uint64_t(0);
-        return dram_ ? 1 : ideal_.quiet_until() - ideal_.now();
-    }
+    /// Has the effect of `cycles` calls of clock(nullptr), whatever is answered in them. Call it with known()
+    /// above 1.
+    void pass(std::uint64_t cycles);
 
 private:
     struct DelayedAnswer {
@@ -137,6 +135,15 @@ private:
     }
     void clock_awake(const Answer* request, std::uint32_t pixels, const Place* place);
     void catch_up();
+    /// Returns the ideal memory's outcome in this cycle.
+    MemoryOutcome ideal_outcome() const {
+        return ideal_.valid()   ? MemoryOutcome::busy
+               : ideal_.waits() ? MemoryOutcome::latency
+                                : MemoryOutcome::starved;
+    }
+    void fall_asleep() {
+        sleeping_ = !disturbed_ & !frame_buffer_ & dram_->is_idle() & (written_.empty() || !writes());
+    }
     void disturb();
 
     std::uint32_t first_screen_id_;   // ids from here on belong to the frame buffer

@@ -134,12 +134,12 @@ public:
             textures_.pop(in.texture_taken);
         }
         if (answer) switch (turn(done)) {
-                case Leave::again: again_.push(done); break;
-                case Leave::spawn: spawns_.push(done); break;
-                case Leave::pixel: pixels_.push(done); break;
-                case Leave::texture: textures_.push(done); break;
+                case Leave::again: again_.push<few>(done); break;
+                case Leave::spawn: spawns_.push<few>(done); break;
+                case Leave::pixel: pixels_.push<few>(done); break;
+                case Leave::texture: textures_.push<few>(done); break;
             }
-        if constexpr (textures) textured_.push(RayNumber(in.textured.ray), in.textured.valid);
+        if constexpr (textures) textured_.push<few>(RayNumber(in.textured.ray), in.textured.valid);
         if constexpr (levels) {
             fetch_.push<few>(RayNumber(in.place.ray), in.place.valid);
             places_.push<few>(RayNumber(in.closest.ray), in.closest.valid & (in.fetch == Fetch::instance));
