@@ -6,7 +6,7 @@ set(frame_control rtl/board/rc_frame_control.sv)
 mutant(frame_flushes_with_a_pixel_inside QUICK FILE ${frame_control} TEST board [frame]
   OLD [[= ends_q && done_i && colour_empty_i;]]
   NEW [[= ends_q && done_i && (colour_empty_i || 1'b1);]])
-mutant(frame_flushed_before_the_writer QUICK FILE ${frame_control} TEST board [frame]
+mutant(frame_flushed_before_the_writer FILE ${frame_control} TEST board [frame]
   OLD [[= ends_q && done_i && pixels_empty_i;]]
   NEW [[= ends_q && done_i && (pixels_empty_i || colour_empty_i);]])
 mutant(frame_starts_without_the_blank FILE ${frame_control} TEST board [frame]
@@ -30,7 +30,7 @@ mutant(frame_acknowledges_its_own_write FILE ${frame_control} TEST board [frame]
   NEW [[= wb_ack_i;]])
 
 # ---- Conversion of pixels.
-mutant(colour_one_threshold_off QUICK FILE rtl/board/pixels/rc_pixel_colour.sv TEST board
+mutant(colour_one_threshold_off FILE rtl/board/pixels/rc_pixel_colour.sv TEST board
   "every linear value*"
   OLD [[17'd52114]]
   NEW [[17'd52115]])

@@ -2,7 +2,7 @@
 # explains a row.
 
 # ---- fit: intervals that are too small, and a search that stops early.
-mutant(fit_box_far_with_r QUICK FILE sim/explore/fit/ranges_box.cpp TEST sweep "box's intervals*"
+mutant(fit_box_far_with_r FILE sim/explore/fit/ranges_box.cpp TEST sweep "box's intervals*"
   OLD [[const Interval up = ray.len == 0 ? ray.recip : ray.recip + point(1);]]
   NEW [[const Interval up = ray.recip;]])
 mutant(fit_hit_distance_short FILE sim/explore/fit/ranges_tri.cpp TEST sweep "every value that the rays*"

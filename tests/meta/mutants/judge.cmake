@@ -4,13 +4,13 @@
 # the rest of a row.
 
 set(all_scenes "spheres --depth 4 | mirrors --depth 3")
-mutant(none_in_simulate QUICK FILE model/unit/shade/pass/pass.cpp TEST simulate "${all_scenes}")
+mutant(none_in_simulate FILE model/unit/shade/pass/pass.cpp TEST simulate "${all_scenes}")
 
 # ---- The order of events: model/unit/shade/pass/pass.cpp.
 mutant(judge_one_bounce_too_many QUICK FILE model/unit/shade/pass/pass.cpp TEST simulate "spheres --depth 2"
   OLD [[if (s.depth >= frame.shade.depth)]]
   NEW [[if (s.depth > frame.shade.depth)]])
-mutant(judge_weight_above_the_threshold QUICK FILE model/unit/shade/pass/pass.cpp TEST simulate
+mutant(judge_weight_above_the_threshold FILE model/unit/shade/pass/pass.cpp TEST simulate
   "square --depth 1 --threshold 1 | mirrors --depth 2 --threshold 0.9 | spheres --depth 1 --threshold 0.4"
   OLD [[return 2 * weight + 3 * bounce >= frame.shade.threshold;]]
   NEW [[return 2 * weight > frame.shade.threshold + 0 * bounce;]])

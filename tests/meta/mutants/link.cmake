@@ -4,7 +4,7 @@
 mutant(uart_samples_at_the_edges FILE rtl/board/link/rc_uart_rx.sv TEST board [uart]
   OLD [[.half_i(1'b1)]]
   NEW [[.half_i(1'b0)]])
-mutant(uart_takes_a_byte_without_a_stop_bit QUICK FILE rtl/board/link/rc_uart_rx.sv TEST board
+mutant(uart_takes_a_byte_without_a_stop_bit FILE rtl/board/link/rc_uart_rx.sv TEST board
   "a byte without*"
   OLD [[assign valid_o = ends && line_q;]]
   NEW [[assign valid_o = ends;]])
@@ -25,7 +25,7 @@ mutant(uart_fifo_overwrites FILE rtl/board/link/rc_byte_fifo.sv TEST board "a ho
   NEW [[assign writes   = push_i;]])
 
 # ---- Packets.
-mutant(link_ignores_the_checksum QUICK FILE rtl/board/link/rc_link.sv TEST board "a damaged packet*"
+mutant(link_ignores_the_checksum FILE rtl/board/link/rc_link.sv TEST board "a damaged packet*"
   OLD [[state_q <= crc_sound ? StJudge : StMark0;]]
   NEW [[state_q <= crc_sound || 1'b1 ? StJudge : StMark0;]])
 mutant(link_executes_again QUICK FILE rtl/board/link/rc_link.sv TEST board "a packet that is sent again*"

@@ -48,7 +48,7 @@ mutant(model_box_near_from_the_point_before FILE model/engine/bvh/slab.hpp WITH 
   TEST unit [box][shading]
   OLD [[slab.near_o = Lanes{beyond(0), beyond(1), beyond(2), 0};]]
   NEW [[slab.near_o = Lanes{before(0), before(1), before(2), 0 * beyond(0)};]])
-mutant(model_child_box_rounded_inward QUICK FILE model/engine/bvh/encode.cpp TEST compile ~[none]
+mutant(model_child_box_rounded_inward FILE model/engine/bvh/encode.cpp TEST compile ~[none]
   OLD [[node.hi[3 * i + k] = ceil_shift(std::uint32_t(children[i].box.hi[k] - node.org[k]), node.exp[k]);]]
   NEW [[node.hi[3 * i + k] = std::uint32_t(children[i].box.hi[k] - node.org[k]) >> node.exp[k];]])
 mutant(model_child_box_low_planes_inward FILE model/engine/bvh/encode.cpp TEST compile "a node's boxes*"
@@ -56,7 +56,7 @@ mutant(model_child_box_low_planes_inward FILE model/engine/bvh/encode.cpp TEST c
   NEW [[ceil_shift(std::uint32_t(children[i].box.lo[k] - node.org[k]), node.exp[k]);]])
 
 # ---- Traversal and lists.
-mutant(model_trav_stop_keeps_the_stack QUICK FILE model/unit/trav/stack.hpp
+mutant(model_trav_stop_keeps_the_stack FILE model/unit/trav/stack.hpp
   WITH tests/unit/trav/trav_test.cpp
   TEST unit [trav][shading]
   OLD [[        if (stop) {
@@ -153,7 +153,7 @@ mutant(host_plane_in_a_pane_is_a_pane_of_its_own FILE model/compile/surfaces.cpp
   NEW [[[&](const PlaneOnLattice&) { return false; }]])
 
 # ---- DRAM and the frame buffer: gates between commands, and the order of requests.
-mutant(dram_trrd_ignored QUICK FILE model/mem/dram_banks.cpp TEST unit [dram]
+mutant(dram_trrd_ignored FILE model/mem/dram_banks.cpp TEST unit [dram]
   OLD [[activate_ = clock + trrd_;]]
   NEW [[activate_ = clock + 1;]])
 mutant(dram_hit_across_rows FILE model/mem/dram.cpp TEST unit [dram]
@@ -197,7 +197,7 @@ mutant(model_delay_forgets_what_it_keeps FILE model/core/ring.hpp
   WITH tests/unit/core/ring_test.cpp TEST unit [fifo]
   OLD [[if (under_way_ == 0 && cycles > kept_)]]
   NEW [[if (under_way_ == 0)]])
-mutant(model_sleeps_through_an_answer QUICK FILE model/machine/machine.cpp TEST unit
+mutant(model_sleeps_through_an_answer FILE model/machine/machine.cpp TEST unit
   "idle cycles that are passed over*"
   OLD [[wake = std::min(wake, memory_.quiet_until());]]
   NEW [[wake = std::min(wake, memory_.quiet_until() + 1);]])

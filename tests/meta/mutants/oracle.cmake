@@ -53,11 +53,11 @@ mutant(seams_are_nowhere FILE sim/judge/cause/seam.cpp TEST system [cause][level
   NEW [[return is_bounded ? RayFinding::one_line : RayFinding::none;]])
 
 # ---- The reference tracer.
-mutant(whitted_weight_must_be_above_the_threshold QUICK FILE sim/judge/reference/whitted.cpp TEST reference
+mutant(whitted_weight_must_be_above_the_threshold FILE sim/judge/reference/whitted.cpp TEST reference
   "two mirrors*"
   OLD [[weighs_enough(reflected, settings_.threshold),]]
   NEW [[reflected > settings_.threshold || settings_.threshold == 0,]])
-mutant(reference_sphere_box_too_small QUICK FILE sim/judge/reference/geometry.cpp TEST reference [round]
+mutant(reference_sphere_box_too_small FILE sim/judge/reference/geometry.cpp TEST reference [round]
   OLD [[float_above(spheres[i].centre[k] + spheres[i].radius)]]
   NEW [[float_above(spheres[i].centre[k] + 0.99 * spheres[i].radius)]])
 mutant(reference_forgets_where_instances_stand FILE sim/judge/reference/instances.cpp TEST reference

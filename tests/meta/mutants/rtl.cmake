@@ -62,13 +62,13 @@ mutant(stack_below_of_top_only QUICK FILE rtl/unit/trav/rc_stack.sv TEST unit [t
 mutant(list_goes_on_behind_a_blocker QUICK FILE rtl/unit/list/rc_list.sv TEST unit [list][shading]
   OLD [[(s2_more_triangles || s2_more_leaves) && !s2_blocked;]]
   NEW [[s2_more_triangles || (s2_more_leaves && !s2_blocked);]])
-mutant(sched_frees_another_context QUICK FILE rtl/unit/sched/rc_sched.sv TEST unit [sched][lockstep]
+mutant(sched_frees_another_context FILE rtl/unit/sched/rc_sched.sv TEST unit [sched][lockstep]
   OLD [[.push_i(freed), .data_i(pixel_i.ray)]]
   NEW [[.push_i(freed), .data_i(pixel_i.ray ^ RayBits'(1))]])
 mutant(sched_begins_a_frame_within_a_tile FILE rtl/unit/sched/rc_sched.sv TEST unit [sched]
   OLD [[if (!rst_ni || start_i) first_q <= 1'b1;]]
   NEW [[if (!rst_ni) first_q <= 1'b1;]])
-mutant(raygen_shift_off_by_one QUICK FILE rtl/unit/raygen/rc_direction.sv TEST unit [raygen]
+mutant(raygen_shift_off_by_one FILE rtl/unit/raygen/rc_direction.sv TEST unit [raygen]
   OLD [[if (s0_used[GuardSumW-2-i]) s0_shift = ShiftW'(i);]]
   NEW [[if (s0_used[GuardSumW-2-i]) s0_shift = i > 0 ? ShiftW'(i - 1) : '0;]])
 mutant(raygen_keeps_the_first_eye FILE rtl/unit/raygen/rc_raygen.sv TEST torture
@@ -87,7 +87,7 @@ mutant(sample_cell_not_reduced_twice FILE rtl/unit/raygen/rc_sample.sv TEST unit
   NEW [[take = once >= {1'b0, all} ? SampleBits'(once) : SampleBits'(once);]])
 
 # ---- Shading: cells, a pass, and the contexts.
-mutant(power_of_nothing QUICK FILE rtl/fixed/rc_power.sv TEST unit [power]
+mutant(power_of_nothing FILE rtl/fixed/rc_power.sv TEST unit [power]
   OLD [[s5_none_q  <= s4_none_q ||]]
   NEW [[s5_none_q  <= (s4_none_q && s4_y_q[0]) ||]])
 mutant(pass_pending_forgets_the_answer QUICK FILE rtl/unit/shade/pass/rc_pass_begin.sv TEST unit [pass][all]
@@ -132,7 +132,7 @@ mutant(credit_counter_one_more QUICK FILE rtl/cells/flow/rc_credit_counter.sv TE
   NEW [[Full = CountW'(Credits + 1);]])
 
 # ---- Counters and the registers of the host.
-mutant(tally_of_box_blames_trav QUICK FILE rtl/unit/trav/rc_node_test.sv TEST unit
+mutant(tally_of_box_blames_trav FILE rtl/unit/trav/rc_node_test.sv TEST unit
   "model and RTL of the machine count the same"
   OLD [[cause_o = node_waits_i ?]]
   NEW [[cause_o = !node_waits_i ?]])
@@ -140,7 +140,7 @@ mutant(tally_is_not_cleared FILE rtl/cells/flow/rc_cause_counters.sv TEST unit
   "model and RTL of the machine count the same"
   OLD [[if (counts_q || clear_i)]]
   NEW [[if (counts_q || (clear_i && counts_q))]])
-mutant(host_starts_while_busy QUICK FILE rtl/host/rc_host.sv TEST unit [host]
+mutant(host_starts_while_busy FILE rtl/host/rc_host.sv TEST unit [host]
   OLD [[|| (is_idle && (adr_q == AddrW'(rc_pkg::RegStart) || frame_word < AddrW'(FrameWords)));]]
   NEW [[|| adr_q == AddrW'(rc_pkg::RegStart) || (is_idle && frame_word < AddrW'(FrameWords));]])
 mutant(host_loses_a_word FILE rtl/host/rc_host.sv TEST unit [host]

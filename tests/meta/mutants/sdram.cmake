@@ -49,7 +49,7 @@ mutant(sdram_reads_a_row_that_is_not_known FILE rtl/board/memory/rc_sdram.sv TES
   NEW [[assign cur_may   = cur_valid_q && !due_q && (compared_q || !cur_write_q) && equal_q]])
 
 # ---- The clients: priority, turns, order of words, masks.
-mutant(memory_host_is_never_due QUICK FILE rtl/board/memory/rc_board_memory.sv TEST board [memory]
+mutant(memory_host_is_never_due FILE rtl/board/memory/rc_board_memory.sv TEST board [memory]
   OLD [[assign host_is_due = overtaken_q == 4'(HostCap);]]
   NEW [[assign host_is_due = overtaken_q == 4'(HostCap) && scan_urgent_i;]])
 mutant(memory_pixels_have_no_turn FILE rtl/board/memory/rc_board_memory.sv TEST board [memory]
@@ -95,7 +95,7 @@ mutant(memory_model_forgets_the_scan FILE model/board/memory_clients.cpp TEST bo
   NEW [[overtaken_ += chip || pixels;]])
 
 # ---- The behavioural SDRAM.
-mutant(sdram_chip_allows_a_gate_one_clock_short QUICK FILE sim/board/sdram_chip.cpp TEST board [chip]
+mutant(sdram_chip_allows_a_gate_one_clock_short FILE sim/board/sdram_chip.cpp TEST board [chip]
   OLD [[edges >= clocks && edges * giga >= ps * khz_]]
   NEW [[edges >= clocks && (edges + 1) * giga >= ps * khz_]])
 mutant(sdram_chip_allows_no_idle_clock FILE sim/board/sdram_chip.cpp TEST board [chip]

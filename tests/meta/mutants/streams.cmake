@@ -1,5 +1,5 @@
 # Faults in streams of rays: the hardware, the way from floats to the lattice and back, files, the judge.
-mutant(stream_halves_are_swapped QUICK FILE rtl/unit/stream/rc_stream.sv TEST system [stream]
+mutant(stream_halves_are_swapped FILE rtl/unit/stream/rc_stream.sv TEST system [stream]
   OLD [[assign {beyond_upper, upper, beyond_lower, lower} = fill_i.line;]]
   NEW [[assign {beyond_lower, lower, beyond_upper, upper} = fill_i.line;]])
 mutant(stream_number_is_turned FILE rtl/unit/stream/rc_stream.sv TEST system [stream]

@@ -7,7 +7,7 @@ set(tex_model model/unit/tex/texel.cpp)
 mutant(tex_model_repeat_one_off FILE ${tex_model} TEST unit ${tex_model_case}
   OLD [[return x & (one_picture - 1);]]
   NEW [[return (x + 1) & (one_picture - 1);]])
-mutant(tex_model_mirror_without_complement QUICK FILE ${tex_model} TEST unit ${tex_model_case}
+mutant(tex_model_mirror_without_complement FILE ${tex_model} TEST unit ${tex_model_case}
   OLD [[(x & one_picture ? ~x : x)]]
   NEW [[x]])
 mutant(tex_model_clamp_at_one FILE ${tex_model} TEST unit ${tex_model_case}
@@ -22,7 +22,7 @@ mutant(tex_model_half_texel_missing FILE ${tex_model} TEST unit ${tex_model_case
 mutant(tex_model_nearest_has_weights FILE ${tex_model} TEST unit ${tex_model_case}
   OLD [[if (!record.nearest) place.weight_x]]
   NEW [[place.weight_x]])
-mutant(tex_model_level_rounding_dropped QUICK FILE ${tex_model} TEST unit ${tex_model_case}
+mutant(tex_model_level_rounding_dropped FILE ${tex_model} TEST unit ${tex_model_case}
   OLD [[(level + (1 << (level_frac - 1))) >> level_frac]]
   NEW [[level >> level_frac]])
 mutant(tex_model_level_not_clamped FILE ${tex_model} TEST unit ${tex_model_case}
@@ -31,7 +31,7 @@ mutant(tex_model_level_not_clamped FILE ${tex_model} TEST unit ${tex_model_case}
 mutant(tex_model_cosine_ignored FILE ${tex_model} TEST unit ${tex_model_case}
   OLD [[std::max(cosine - std::int32_t(log_of(hit.cosine)), 0) >> 1]]
   NEW [[cosine - cosine]])
-mutant(tex_model_slant_below_0 QUICK FILE ${tex_model} TEST unit [tex][level]
+mutant(tex_model_slant_below_0 FILE ${tex_model} TEST unit [tex][level]
   OLD [[std::max(cosine - std::int32_t(log_of(hit.cosine)), 0) >> 1]]
   NEW [[(cosine - std::int32_t(log_of(hit.cosine))) >> 1]])
 mutant(tex_model_scale_ignored FILE ${tex_model} TEST unit [tex][level]
@@ -108,7 +108,7 @@ mutant(tex_model_cutoff_lost FILE ${tex_model} TEST unit ${tex_model_case}
 # ---- Holes in the model: rays.
 set(hole_cases [pass][hole])
 set(path_cases [pass][textures]~[lockstep])
-mutant(tex_model_holes_not_counted QUICK FILE model/unit/shade/pass/pass.cpp TEST unit ${hole_cases}
+mutant(tex_model_holes_not_counted FILE model/unit/shade/pass/pass.cpp TEST unit ${hole_cases}
   OLD [[++s.holes;]]
   NEW [[;]])
 mutant(tex_model_holes_kept_by_a_bounce FILE model/unit/shade/pass/pass.cpp TEST unit ${hole_cases}
@@ -174,7 +174,7 @@ mutant(tex_model_path_adds_t_twice FILE model/unit/shade/surface/surf.cpp TEST u
 mutant(tex_model_path_wraps FILE model/unit/shade/surface/surf.cpp TEST unit ${path_cases}
   OLD [[std::min<std::uint64_t>(in.state.path + length, (std::uint64_t(1) << c.path_bits()) - 1)]]
   NEW [[(in.state.path + length) & ((std::uint64_t(1) << c.path_bits()) - 1)]])
-mutant(tex_model_path_goes_on_in_the_next_sample QUICK FILE model/unit/shade/pass/pass.cpp
+mutant(tex_model_path_goes_on_in_the_next_sample FILE model/unit/shade/pass/pass.cpp
   TEST unit ${path_cases}
   OLD [[s.depth = 0, s.in_cell = 0, s.path = 0, s.holes = 0;]]
   NEW [[s.depth = 0, s.in_cell = 0, s.holes = 0;]])
@@ -192,7 +192,7 @@ mutant(tex_model_texture_replaces_albedo FILE model/unit/shade/surface/surf.cpp 
 mutant(tex_image_density_rounded_down FILE model/compile/textures.cpp TEST compile [textures]
   OLD [[std::round(scaled]]
   NEW [[std::floor(scaled]])
-mutant(tex_image_corners_swapped QUICK FILE model/compile/textures.cpp TEST compile [textures]
+mutant(tex_image_corners_swapped FILE model/compile/textures.cpp TEST compile [textures]
   OLD [[std::ldexp(corners[k].x, coordinate_frac)]]
   NEW [[std::ldexp(corners[(3 - k) % 3].x, coordinate_frac)]])
 mutant(tex_image_border_always_clamped FILE model/compile/textures.cpp TEST compile [textures]
@@ -258,7 +258,7 @@ mutant(simulate_tex_log_at_the_start_of_its_part FILE ${tex_model} TEST simulate
 # ---- The RTL of the address.
 set(tex_rtl_case "tex finds and filters the texels of every hit exactly - TexRtl")
 set(tex_address rtl/unit/tex/rc_texel_address.sv)
-mutant(tex_log_index_of_four_bits QUICK FILE rtl/unit/tex/rc_log.sv TEST unit [tex][log][rtl]
+mutant(tex_log_index_of_four_bits FILE rtl/unit/tex/rc_log.sv TEST unit [tex][log][rtl]
   OLD [[index = padded[i +: IndexBits];]]
   NEW [[index = padded[i +: IndexBits] & ~IndexBits'(1);]])
 mutant(tex_log_of_0_is_a_fraction FILE rtl/unit/tex/rc_log.sv TEST unit [tex][log][rtl]
@@ -293,7 +293,7 @@ mutant(tex_filter_wraps_at_half FILE ${tex_address} TEST unit ${tex_rtl_case}
 mutant(tex_nearest_has_weights FILE ${tex_address} TEST unit ${tex_rtl_case}
   OLD [[s5_place.weight_x = s5_nearest ? '0 :]]
   NEW [[s5_place.weight_x =]])
-mutant(tex_level_rounding_dropped QUICK FILE ${tex_address} TEST unit ${tex_rtl_case}
+mutant(tex_level_rounding_dropped FILE ${tex_address} TEST unit ${tex_rtl_case}
   OLD [[LevelSumW'(1 << (LevelFrac - 1))]]
   NEW [[LevelSumW'(0)]])
 mutant(tex_level_not_clamped FILE ${tex_address} TEST unit ${tex_rtl_case}
@@ -373,7 +373,7 @@ set(tex_unit rtl/unit/tex/rc_tex.sv)
 mutant(tex_record_taken_for_texels FILE ${tex_unit} TEST unit ${tex_rtl_case}
   OLD [[reads_texels_q[req_i.ray] <= 1'b0;]]
   NEW [[reads_texels_q[req_i.ray] <= reads_texels_q[req_i.ray];]])
-mutant(tex_request_lost_if_the_cache_is_busy QUICK FILE ${tex_unit} TEST unit ${tex_rtl_case}
+mutant(tex_request_lost_if_the_cache_is_busy FILE ${tex_unit} TEST unit ${tex_rtl_case}
   OLD [[.pop_i(texels_fire)]]
   NEW [[.pop_i(texels_valid)]])
 mutant(tex_place_lost_if_the_cache_is_busy FILE ${tex_unit} TEST unit ${tex_rtl_case}
@@ -417,7 +417,7 @@ mutant(tex_texture_not_multiplied FILE rtl/unit/shade/light/rc_ambient.sv TEST u
 # ---- Light through holes in the RTL.
 set(light_list [list][hole])
 set(light_pass "the RTL's pass is the model's with textures")
-mutant(tex_list_passes_not_counted QUICK FILE rtl/unit/list/rc_list.sv TEST unit ${light_list}
+mutant(tex_list_passes_not_counted FILE rtl/unit/list/rc_list.sv TEST unit ${light_list}
   OLD [[.write_data_i(passed + HoleBits'(1)),]]
   NEW [[.write_data_i(passed),]])
 mutant(tex_list_count_goes_on_in_the_next_ray FILE rtl/unit/list/rc_list.sv TEST unit ${light_list}
@@ -469,7 +469,7 @@ mutant(tex_address_path_of_0_has_a_level FILE ${tex_address} TEST unit ${tex_rtl
 
 # ---- Holes in the RTL of shade.
 set(pass_end rtl/unit/shade/pass/rc_pass_end.sv)
-mutant(tex_holes_not_counted QUICK FILE ${pass_end} TEST unit [shade][hole]
+mutant(tex_holes_not_counted FILE ${pass_end} TEST unit [shade][hole]
   OLD [[if (goes_on)      textured.holes      = begin_state_i.holes + 1'b1;]]
   NEW [[;]])
 mutant(tex_holes_kept_by_a_reflected_ray FILE ${pass_end} TEST unit ${shade_rtl_case}
@@ -516,7 +516,7 @@ mutant(tex_scale_of_the_instance_lost FILE rtl/unit/shade/rc_shade.sv TEST syste
 
 # ---- Planes and spheres: the model.
 set(globe "scenes/globe.json --depth 2")
-mutant(tex_model_plane_unsigned QUICK FILE ${tex_model} TEST unit ${tex_model_case}
+mutant(tex_model_plane_unsigned FILE ${tex_model} TEST unit ${tex_model_case}
   OLD [[c.planes && x >= half ?]]
   NEW [[c.planes && x >= 2 * half ?]])
 mutant(tex_model_plane_without_ends FILE ${tex_model} TEST unit ${tex_model_case}
@@ -525,7 +525,7 @@ mutant(tex_model_plane_without_ends FILE ${tex_model} TEST unit ${tex_model_case
 mutant(tex_model_octahedral_without_one FILE model/unit/shade/surface/surf.cpp TEST unit [octahedral]
   OLD [[std::int64_t sum = 1;]]
   NEW [[std::int64_t sum = 0;]])
-mutant(tex_model_octahedral_not_folded QUICK FILE model/unit/shade/surface/surf.cpp TEST unit [octahedral]
+mutant(tex_model_octahedral_not_folded FILE model/unit/shade/surface/surf.cpp TEST unit [octahedral]
   OLD [[if (n[1] < 0) {
         p = half - p, q = half - q;]]
   NEW [[if (n[1] < 0) {]])
@@ -566,7 +566,7 @@ mutant(simulate_tex_sphere_density_of_a_disc FILE model/scene/texture.cpp TEST s
   NEW [[log2_of_4_pi = 1.6514961294723187;]])
 
 # ---- Planes and spheres: the RTL.
-mutant(tex_plane_unsigned QUICK FILE ${tex_address} TEST unit ${tex_rtl_case}
+mutant(tex_plane_unsigned FILE ${tex_address} TEST unit ${tex_rtl_case}
   OLD [[$signed({Planes && s1_v_q[UvBits-1], s1_v_q})]]
   NEW [[$signed({1'b0, s1_v_q})]])
 mutant(tex_plane_without_ends FILE ${tex_address} TEST unit ${tex_rtl_case}
@@ -575,7 +575,7 @@ mutant(tex_plane_without_ends FILE ${tex_address} TEST unit ${tex_rtl_case}
 mutant(tex_plane_sum_too_narrow FILE ${tex_address} TEST unit ${tex_rtl_case}
   OLD [[(Planes ? rc_pkg::PlaneBits : 0)]]
   NEW [[(Planes ? rc_pkg::PlaneBits - 4 : 0)]])
-mutant(tex_octahedral_not_folded QUICK FILE rtl/unit/shade/surface/rc_octahedral.sv TEST unit
+mutant(tex_octahedral_not_folded FILE rtl/unit/shade/surface/rc_octahedral.sv TEST unit
   ${shade_rtl_case}
   OLD [[below[1] ? Half - q : p;]]
   NEW [[below[1] ? Half - p : p;]])

@@ -3,7 +3,7 @@
 
 # ---- Scan-out: what is requested when, and which pixel is where.
 set(scan_out rtl/board/video/rc_scan_out.sv)
-mutant(scan_urgent_one_block_late QUICK FILE ${scan_out} TEST board [scan]
+mutant(scan_urgent_one_block_late FILE ${scan_out} TEST board [scan]
   OLD [[!req_ready_i && to_request_q >= to_fall_q;]]
   NEW [[!req_ready_i && to_request_q > to_fall_q;]])
 mutant(scan_opens_a_row_too_early FILE ${scan_out} TEST board [scan]
@@ -12,7 +12,7 @@ mutant(scan_opens_a_row_too_early FILE ${scan_out} TEST board [scan]
 mutant(scan_takes_over_at_the_top FILE ${scan_out} TEST board [scan]
   OLD [[h_q == '0 && v_q == 10'(ShownH);]]
   NEW [[h_q == '0 && (v_q == 10'(ShownH) || v_q == '0);]])
-mutant(scan_keeps_the_last_late_line QUICK FILE ${scan_out} TEST board "lines of the last picture*"
+mutant(scan_keeps_the_last_late_line FILE ${scan_out} TEST board "lines of the last picture*"
   OLD [[= drop_q == '0;]]
   NEW [[= drop_q <= PendingW'(1);]])
 mutant(scan_drops_all_in_flight FILE ${scan_out} TEST board [scan]
@@ -24,7 +24,7 @@ mutant(scan_shows_what_has_not_arrived FILE ${scan_out} TEST board [scan]
 mutant(scan_words_by_columns FILE ${scan_out} TEST board "scan-out has the model's*"
   OLD [[{s1_y[1:0], s1_x[1:0]};]]
   NEW [[{s1_x[1:0], s1_y[1:0]};]])
-mutant(scan_reads_the_other_row QUICK FILE ${scan_out} TEST board "scan-out has the model's*"
+mutant(scan_reads_the_other_row FILE ${scan_out} TEST board "scan-out has the model's*"
   OLD [[<= s1_y[2] ? 9'(s1_x[9:2])]]
   NEW [[<= s1_y[3] ? 9'(s1_x[9:2])]])
 mutant(scan_odd_margin_at_the_left FILE ${scan_out} TEST board [scan]
@@ -48,7 +48,7 @@ set(pixel_writer rtl/board/pixels/rc_pixel_writer.sv)
 mutant(pixels_youngest_goes_first FILE ${pixel_writer} TEST board [pixels]
   OLD [[older_q[Buffers*j+i])]]
   NEW [[older_q[Buffers*i+j])]])
-mutant(pixels_without_mask QUICK FILE ${pixel_writer} TEST board [pixels]
+mutant(pixels_without_mask FILE ${pixel_writer} TEST board [pixels]
   OLD [[mask_q <= {2{!sent_there_q]]
   NEW [[mask_q <= {2{1'b0 && !sent_there_q]])
 mutant(pixels_full_block_waits FILE ${pixel_writer} TEST board "a full block*"
