@@ -72,7 +72,8 @@ void Memory::clock_awake(const Answer* request, std::uint32_t pixels, const Plac
     } else if (dram_) {
         catch_up();
         dram_->clock(is_used ? &asked : nullptr);
-        sleeping_ = !disturbed_ & !frame_buffer_ & dram_->is_idle() & (written_.empty() || !writes());
+        sleeping_ = !disturbed_ & !frame_buffer_ & dram_->is_idle() &
+                    ((written_.empty() && hit_writes_ == 0) || !writes());
     } else {
         const bool writes = is_used && asked.is_write;
         if (writes) ideal_.write();
