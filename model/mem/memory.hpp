@@ -142,7 +142,8 @@ private:
                                 : MemoryOutcome::starved;
     }
     void fall_asleep() {
-        sleeping_ = !disturbed_ & !frame_buffer_ & dram_->is_idle() & (written_.empty() || !writes());
+        sleeping_ = !disturbed_ & !frame_buffer_ & dram_->is_idle() &
+                    ((written_.empty() && hit_writes_ == 0) || !writes());
     }
     void disturb();
 
