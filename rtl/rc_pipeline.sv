@@ -18,7 +18,8 @@ module rc_pipeline (
   output logic               tile_ready_o,
   input  logic               tile_fires_i,
   input  rc_pkg::tile_t      tile_i,
-  // To and from memory, through the arbiter: nodes, primitives, and surfaces if the chip shades
+  // To and from memory, through the arbiter: nodes, primitives, surfaces if the chip shades; below
+  // also textures and recorded rays
   output logic               node_miss_valid_o,
   input  logic               node_miss_ready_i,
   output rc_pkg::node_miss_t node_miss_o,

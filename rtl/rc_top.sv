@@ -5,7 +5,7 @@
 // last hit. Each pipeline returns the hits of its tiles.
 //
 // Memory is read 64 bytes at a time. Its answers may come in any order, are matched by id, and are
-// always accepted. Reset must be held for as many cycles as the largest cache has sets. Model:
+// always accepted. Reset must be held for four cycles more than the largest cache has sets. Model:
 // model/machine/machine.hpp.
 `default_nettype none
 module rc_top #(

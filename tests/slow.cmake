@@ -1,11 +1,12 @@
 # cmake -DBUILD=<build folder> -DSOURCE=<tree> [-DJOBS=n] -P tests/slow.cmake
-# Runs the slow tests that have not yet passed on this state of the tree, eight at a time, and records each
+# Runs the slow tests that have not yet passed on this state of the tree, in groups of eight, and records each
 # test that passes. It may be stopped at any time; the next call continues with the remaining tests.
 if(NOT JOBS)
   set(JOBS 1)
 endif()
 file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/model/* ${SOURCE}/sim/* ${SOURCE}/rtl/*
-  ${SOURCE}/scenes/* ${SOURCE}/tests/* ${SOURCE}/bench/* ${SOURCE}/CMakeLists.txt)
+  ${SOURCE}/scenes/* ${SOURCE}/tests/* ${SOURCE}/bench/* ${SOURCE}/library/* ${SOURCE}/python/* ${SOURCE}/docs/*
+  ${SOURCE}/bootstrap ${SOURCE}/CMakeLists.txt)
 list(SORT files)
 set(sums)
 foreach(file ${files})

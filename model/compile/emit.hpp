@@ -1,5 +1,5 @@
 #pragma once
-// Layout: the collapsed tree as memory lines.
+// The last step of compiling a tree: its nodes as memory lines.
 //
 // Blocks lie depth-first. A block is everything that a node's base points at: one line per inner child, then
 // the leaves' triangles in half lines, padded to a line. A subtree is contiguous except for its root's line.

@@ -80,10 +80,10 @@ struct Config {
 
     // The parameters, with their defaults.
 #define GROUP(name, text)
-#define NUMBER(key, place, usual, least, most, unit, effect, text) int key = usual;
-#define POWER(key, place, usual, least, most, unit, effect, text) int key = usual;
-#define FLAG(key, place, effect, text) bool key = false;
-#define CHOICE(key, place, Type, usual, effect, text) Type key = Type::usual;
+#define NUMBER(key, user, usual, least, most, unit, effect, text) int key = usual;
+#define POWER(key, user, usual, least, most, unit, effect, text) int key = usual;
+#define FLAG(key, user, effect, text) bool key = false;
+#define CHOICE(key, user, Type, usual, effect, text) Type key = Type::usual;
 #include "model/core/parameters.inl"
 #undef GROUP
 #undef NUMBER

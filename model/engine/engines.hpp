@@ -47,7 +47,7 @@ using Engines = decltype(std::tuple_cat(std::tuple<>() RAYCLOCK_ENGINES(RAYCLOCK
 #undef RAYCLOCK_DESCRIPTOR
 
 /// Calls `work` with the descriptor of an engine (Config::engine_of(), so never octree). A list has no nodes;
-/// then `work` gets Bvh.
+/// then `work` gets bvh::Engine.
 template <class Work> decltype(auto) with_engine(Structure engine, Work&& work) {
     switch (engine) {
 #define RAYCLOCK_CASE(with, structure, unit, Engine) \

@@ -5,7 +5,7 @@
 #include "model/machine/links.hpp"
 #include "model/machine/unit_codes.hpp"
 #include "model/mem/cache.hpp"
-#include "model/mem/memport.hpp"
+#include "model/mem/ideal_memory.hpp"
 #include "model/trace/trace.hpp"
 #include "model/unit/list/list.hpp"
 #include "model/unit/sched/sched.hpp"

@@ -8,7 +8,7 @@
 #include "model/core/dram_parts.hpp"
 #include "model/mem/dram_channels.hpp"
 #include "model/mem/frame_buffer.hpp"
-#include "model/mem/memport.hpp"
+#include "model/mem/ideal_memory.hpp"
 
 namespace rayclock {
 
@@ -54,7 +54,7 @@ class Memory {
 public:
     Memory(const Config& config, int khz, Traffic traffic);
 
-    using Answer = Memport::Answer;
+    using Answer = IdealMemory::Answer;
     using Place = BoardMemory::Place;
 
     /// Prepares a frame with this picture. Call it once before the frame's cycle 0. With dram=board it takes
@@ -148,7 +148,7 @@ private:
     void disturb();
 
     std::uint32_t first_screen_id_;   // ids from here on belong to the frame buffer
-    Memport ideal_;
+    IdealMemory ideal_;
     // At most one of these two is present; the ideal memory needs neither.
     std::optional<DramChannels> dram_;
     std::optional<BoardMemory> board_;

@@ -39,6 +39,16 @@ Coverage coverage(const Job& job, int seeds) {
     return covered;
 }
 
+/// Returns the mean half-width of six samples' intervals of the cycles, relative to the cycles.
+double width(const Job& job) {
+    double sum = 0;
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        const auto sampled = sample::run(job, {khz}, {0, seed});
+        sum += sampled[0].total([](const FrameTiming& t) { return double(t.cycles); }).relative();
+    }
+    return sum / 6;
+}
+
 }   // namespace
 
 TEST_CASE("a machine that starts all tiles as stretches takes the cycles of the whole frame") {
@@ -112,17 +122,16 @@ TEST_CASE("samples of neighbouring parts read as many bytes as the frame") {
 }
 
 TEST_CASE("the expected cycles of parts follow visits of instances") {
-    const auto width = [](const Job& job) {
-        double sum = 0;
-        for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-            const auto sampled = sample::run(job, {khz}, {0, seed});
-            sum += sampled[0].total([](const FrameTiming& t) { return double(t.cycles); }).relative();
-        }
-        return sum / 6;
-    };
     Config two_levels = named_config("default");
     set_parameter(two_levels, "levels", "2", "");
     CHECK(width(job_of("gearbox:4", {320, 256}, two_levels)) < 0.008);
+}
+
+TEST_CASE("with few contexts the expected cycles of parts follow the latencies of all units") {
+    // A ray waits for one unit after the other, and other rays do not hide these waits.
+    Config few = named_config("default");
+    set_parameter(few, "contexts", "4", "");
+    CHECK(width(job_of("gears:4", {320, 256}, few)) < 0.008);
 }
 
 TEST_CASE("a sample counts visits of instances, so the work of xform has a narrow interval") {

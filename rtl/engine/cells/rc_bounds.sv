@@ -1,5 +1,5 @@
-// The times at which a ray enters and leaves the box around the content of a treelet's or a slant's
-// cell. Its planes come in parallel pairs: the fast case of rc_plane.
+// The times at which a ray enters and leaves the box around the content of a cell: of a treelet's,
+// a slant's or a pair of planes' cell. Its six planes come in parallel pairs.
 //
 // Part of rc_cell_answer, which has the valid bits. Operands come with valid_i[0]; the
 // answer comes rc_pkg::PlaneStages + 1 + Cut cycles later.

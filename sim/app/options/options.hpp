@@ -3,7 +3,7 @@
 // what was typed.
 #include <nlohmann/json.hpp>
 
-#include "model/mem/memport.hpp"
+#include "model/mem/ideal_memory.hpp"
 #include "sim/app/options/parser.hpp"
 #include "sim/app/run/typed_values.hpp"
 #include "sim/run/film/film.hpp"

@@ -3,7 +3,7 @@
 #include "model/engine/engines.hpp"
 #include "model/mem/cache.hpp"
 #include "model/engine/check.hpp"
-#include "model/mem/memport.hpp"
+#include "model/mem/ideal_memory.hpp"
 #include "tests/support/dut/dut.hpp"
 
 namespace rayclock::test {

@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "model/mem/dram.hpp"
-#include "model/mem/memport.hpp"
+#include "model/mem/ideal_memory.hpp"
 
 namespace rayclock::test {
 

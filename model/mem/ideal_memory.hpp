@@ -24,9 +24,9 @@ struct Traffic {
 /// at most one request every mem_interval cycles. It holds ids and addresses only; the port's owner reads the
 /// memory image. An id may be used again only after its answer. Answers must be accepted. The same class
 /// serves the model and the RTL.
-class Memport {
+class IdealMemory {
 public:
-    Memport(const Config& config, int ids);
+    IdealMemory(const Config& config, int ids);
 
     struct Answer {
         std::uint32_t id = 0, addr = 0;

@@ -8,7 +8,7 @@
 #include "model/mem/memory.hpp"
 #include "tests/support/skipping.hpp"
 
-namespace rayclock::test::memport_test {
+namespace rayclock::test::ideal_memory_test {
 
 using namespace rayclock;
 
@@ -41,7 +41,7 @@ template <class Port> Log run(Port& port, int n, int ids) {
         REQUIRE(cycle < 1000 * n);
         int answered = -1;
         if (port.valid()) {
-            const Memport::Answer answer = port.answer();
+            const IdealMemory::Answer answer = port.answer();
             REQUIRE(answer.id == answer.addr % std::uint32_t(ids));
             REQUIRE(seen[answer.addr]++ == 0);   // no answer comes twice
             log.came.push_back(cycle);
@@ -49,7 +49,7 @@ template <class Port> Log run(Port& port, int n, int ids) {
             answered = int(answer.id);
         }
         const std::uint32_t id = std::uint32_t(sent % ids);
-        const Memport::Answer request{id, std::uint32_t(sent)};
+        const IdealMemory::Answer request{id, std::uint32_t(sent)};
         const bool sends = port.ready() && sent < n && !busy[id];
         if (sends) {
             log.accepted.push_back(cycle);
@@ -63,7 +63,7 @@ template <class Port> Log run(Port& port, int n, int ids) {
     return log;
 }
 Log run_ideal(const Config& config, int n) {
-    Memport port{config, 64};
+    IdealMemory port{config, 64};
     return run(port, n, 64);
 }
 Log run_disturbed(const Config& config, Traffic traffic, int n) {
@@ -94,14 +94,14 @@ TEST_CASE("the ideal memory accepts one request every mem_interval cycles", "[me
 
 TEST_CASE("the ideal memory returns the next cycle with a change, and skips to it", "[memport]") {
     const int latency = GENERATE(1, 8, 50), interval = GENERATE(1, 3);
-    Memport stepped{memory(latency, interval), 16}, skipped{memory(latency, interval), 16};
+    IdealMemory stepped{memory(latency, interval), 16}, skipped{memory(latency, interval), 16};
     Rng rng(std::uint64_t(latency * 10 + interval));
     int under_way = 0;
     for (std::uint64_t now = 0, i = 0; i < 500; ++i) {
         INFO("cycle " << now);
         REQUIRE(stepped.valid() == skipped.valid());
         REQUIRE(stepped.ready() == skipped.ready());
-        const Memport::Answer request{std::uint32_t(i % 16), std::uint32_t(i)};
+        const IdealMemory::Answer request{std::uint32_t(i % 16), std::uint32_t(i)};
         const bool sends = stepped.ready() && under_way < 10 && rng.below(3) == 0;
         under_way += int(sends) - int(stepped.valid());
         stepped.clock(sends ? &request : nullptr);
@@ -114,7 +114,7 @@ TEST_CASE("the ideal memory returns the next cycle with a change, and skips to i
 TEST_CASE("without traffic a memory has the timing of its kind, and counts its work", "[memport]") {
     const Config config = memory(8, 2);
     REQUIRE(run_disturbed(config, {}, 200) == [&] {
-        Memport port{config, 1 << config.mem_id_bits()};
+        IdealMemory port{config, 1 << config.mem_id_bits()};
         return run(port, 200, 1 << config.mem_id_bits());
     }());
     Memory ideal{config, khz, {}};
@@ -122,7 +122,7 @@ TEST_CASE("without traffic a memory has the timing of its kind, and counts its w
     REQUIRE(ideal.stats() == MemoryStats{200, 0, 0, 0});
     Memory again{config, khz, {}};
     for (int cycle = 0; cycle < 30; ++cycle) {
-        const Memport::Answer request{0, 7};
+        const IdealMemory::Answer request{0, 7};
         again.clock(cycle == 5 ? &request : nullptr);
     }
     // The answer; the cycles between it and the request; the rest.
@@ -178,4 +178,4 @@ TEST_CASE("the sink refuses about the stated share of cycles, each sink others",
     REQUIRE(shut_ready <= 1);
 }
 
-}   // namespace rayclock::test::memport_test
+}   // namespace rayclock::test::ideal_memory_test

@@ -1,14 +1,14 @@
 // The ideal memory's clock edge.
-#include "model/mem/memport.hpp"
+#include "model/mem/ideal_memory.hpp"
 
 namespace rayclock {
 
-Memport::Memport(const Config& config, int ids)
+IdealMemory::IdealMemory(const Config& config, int ids)
     : latency_(std::uint64_t(config.mem_latency)),
       interval_(std::uint64_t(config.mem_interval)),
       pending_(ids) {}
 
-void Memport::clock(const Answer* request) {
+void IdealMemory::clock(const Answer* request) {
     if (valid()) pending_.pop();
     if (request) {
         pending_.push({*request, now_ + latency_});
