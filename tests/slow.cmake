@@ -5,8 +5,8 @@ if(NOT JOBS)
   set(JOBS 1)
 endif()
 file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/model/* ${SOURCE}/sim/* ${SOURCE}/rtl/*
-  ${SOURCE}/scenes/* ${SOURCE}/tests/* ${SOURCE}/bench/* ${SOURCE}/library/* ${SOURCE}/python/* ${SOURCE}/docs/*
-  ${SOURCE}/bootstrap ${SOURCE}/CMakeLists.txt)
+  ${SOURCE}/scenes/* ${SOURCE}/tests/* ${SOURCE}/bench/* ${SOURCE}/library/* ${SOURCE}/python/*
+  ${SOURCE}/docs/* ${SOURCE}/bootstrap ${SOURCE}/CMakeLists.txt)
 list(SORT files)
 set(sums)
 foreach(file ${files})

@@ -202,8 +202,8 @@ module rc_pass #(
   assign ends[Stages] = phase[Stages*Every];
   assign end_valid_o  = ends[Stages];
 
-  // The events of the passes that leave their stages. face: with a surface or a transform. tone: with
-  // a surface or a texture.
+  // The events of the passes that leave their stages. face: with a surface or a transform. tone:
+  // with a surface or a texture.
   logic [Stages:0] surf_at, light_at, bounce_at, end_at, transform_at, texture_at, face_at, tone_at;
   logic [Stages:0] sends_at;   // light, bounce or texture: a ray may start
   logic [Stages:0] cutout_at;
