@@ -19,8 +19,8 @@ void yosys(std::string_view bytes) {
                "what is kept is read again");
     });
     passes([&] {
-        const chip::Face face = chip::face_of(text, "box");
-        for (const chip::Port& port : face.ports) demand(port.width <= bytes.size(), "a port has bits");
+        const chip::ModuleInterface interface = chip::interface_of(text, "box");
+        for (const chip::Port& port : interface.ports) demand(port.width <= bytes.size(), "a port has bits");
     });
 }
 
