@@ -173,7 +173,7 @@ class Config:
     scan_out: bool
     """Memory outside the chip: 1: a screen of 640x480 pixels is read 60 times a second."""
     pixel_writes: bool
-    """Memory outside the chip: 1: finished pixels are written to the memory; with source=stream, hits of 16 bytes."""
+    """Memory outside the chip: 1: finished pixels are written to the memory; with source=stream, the unit hits writes the answers to rays."""
 
     @property
     def name(self) -> str:
