@@ -1,12 +1,12 @@
 // The machine: wires the pipelines that share the picture's tiles and the memory.
 //
-// A frame begins in the cycle after start_i. start_i may be set only when all rays of the last
-// frame are done, and not before the second cycle after a reset. The user holds frame_i until the
-// last hit. Each pipeline returns the hits of its tiles.
+// A frame begins in the cycle after start_i. start_i may be set only when all answers of the last
+// frame have left the chip, and not before the second cycle after a reset. The user holds frame_i
+// until the last hit. Each pipeline returns the hits of its tiles.
 //
-// Memory is read 64 bytes at a time. Its answers may come in any order, are matched by id, and are
-// always accepted. Reset must be held for four cycles more than the largest cache has sets. Model:
-// model/machine/machine.hpp.
+// Memory is read 64 bytes at a time, and written if the chip writes hits. Answers to reads may
+// come in any order, are matched by id, and are always accepted. Reset must be held for four
+// cycles more than the largest cache has sets. Model: model/machine/machine.hpp.
 `default_nettype none
 module rc_top #(
   localparam int unsigned Units = rc_pkg::Pipelines * rc_pkg::PipelineUnits + rc_pkg::SharedUnits
@@ -189,7 +189,8 @@ module rc_top #(
       .fill_fires_i(mem_rsp_fires_i), .fill_i(mem_rsp_i), .waits_o(unused), .outcome_o(l2_cause));
   end
 
-  // Reads and answers leave through their own ports, or lines of answers share the memory's port.
+  // Answers leave through the pixel port. In a chip that writes hits they share the memory's port
+  // with the reads, as lines.
   if (!rc_pkg::WritesHits) begin : gen_reads
     assign mem_req_valid_o = read_valid;
     assign read_ready      = mem_req_ready_i;
@@ -197,7 +198,7 @@ module rc_top #(
     assign hit_valid_o     = hit_valid;
     assign hit_ready       = hit_ready_i;
     assign hit_o           = hit;
-    assign hit_fires_o       = hit_valid & hit_ready_i;
+    assign hit_fires_o     = hit_valid & hit_ready_i;
     assign hits_cause      = '0;
   end else begin : gen_hits
     logic                        line_valid, line_ready, is_write;

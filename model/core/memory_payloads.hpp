@@ -117,8 +117,8 @@ using TexFill = LineRsp<&Config::tex_miss_bits>;
 using L2Req = LineReq<&Config::client_id_bits>;   ///< arbiter -> shared cache, or memory if there is none
 using L2Rsp = LineRsp<&Config::client_id_bits>;
 using L2Miss = LineReq<&Config::mem_id_bits>;   ///< shared cache -> memory port
-/// chip -> DRAM: a read, or in a chip that writes hits also a write of a line. A write has no answer. The
-/// line of a read is arbitrary: hits that wait for their line to be full.
+/// chip -> DRAM: a read, or in a chip that writes hits also a write of a line. A write has no answer. In a
+/// read, `line` has no meaning: it shows the line that the unit hits is filling.
 struct MemReq {
     std::uint32_t id = 0, addr = 0;   ///< a write's id is 0
     std::uint32_t is_write = 0;

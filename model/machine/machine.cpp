@@ -269,7 +269,8 @@ void Machine::pass_window(std::uint64_t cycles) {
     moved |= hits_ != hits_before;
     finished_ = 0;
     for (const std::uint64_t end = now_ + cycles; now_ < end;) {
-        std::uint64_t next = end;   // request, which caches offer from the cycle after its look-up on
+        // Cycle of the next request. A cache offers it from the cycle after the look-up on.
+        std::uint64_t next = end;
         for (const Pipeline& pipeline : pipelines_) next = std::min(next, pipeline.next_miss());
         if (next <= now_) {
             settle_shared(false);
@@ -298,7 +299,7 @@ void Machine::warm(std::uint32_t pipeline, const std::uint32_t* pixel) {
 void Machine::sleep(std::uint64_t until) {
     // In the next cycle an answer arrives, or a waiting request is accepted.
     if (memory_.valid() || ((valid_ & bit(Link::mem_req)) && memory_.ready())) return;
-    // A line of hits waits, or a hit for its pipeline's turn.
+    // A line of hits waits for memory, or a hit waits for its pipeline's turn.
     if (hits_unit_ && (hits_unit_->full() ||
                        std::ranges::any_of(masks_, [](const Masks& m) { return m.valid & bit(Link::hit); })))
         return;

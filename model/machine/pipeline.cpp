@@ -43,7 +43,8 @@ Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
       tex_(config),
       tex_cache_(tex_cache_shape(config)),
       reads_texels_(std::size_t(config.contexts)),
-      sink_(config.writes_hits() ? Traffic{} : traffic, number),   // otherwise the unit hits alone stalls
+      // In a chip that writes hits, only the unit hits stalls answers.
+      sink_(config.writes_hits() ? Traffic{} : traffic, number),
       rays_(std::size_t(config.contexts)),
       is_plain_(config.timing == Timing::relaxed && !config.is_list() && traffic.none() &&
                 config.contexts <= RayRing::most_few && raygen_hold_ + box_hold_ + tri_hold_ == 0 &&

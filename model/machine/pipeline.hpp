@@ -288,8 +288,8 @@ private:
     template <bool plain> std::uint32_t prim_side_codes(const Moves& m) const;
     template <bool plain> std::uint32_t node_side_codes(const Moves& m) const;
     template <RayFeed feed, bool plain> std::uint32_t ray_side_codes(const Moves& m) const;
-    // Count a cycle, with these codes and the outcome of the side's cache. Only single cycles, which are not
-    // plain, need the last one.
+    // Count a cycle by these codes, and by the outcome of the side's cache if it has one. last_..._side_ is
+    // read only after single cycles, which are never plain.
     template <bool plain> void account_prim_side(std::uint32_t codes) {
         const std::uint32_t packed = codes << cause_bits | std::uint32_t(prim_outcome_);
         ++prim_side_[packed];

@@ -32,7 +32,7 @@ enum class Presence : std::uint8_t {
     shade,   // the unit shade and its cache
     textures,
     stream,   // rays from records
-    hits,     // answers to them as records
+    hits,     // answers to a stream, written as records
     shared_cache,
     nodes,
     instances,

@@ -64,8 +64,8 @@ std::uint64_t Dram::quiet_until() const {
     return ready_ ? until : std::min(until, cycle_from(event_ps_));
 }
 
-/// Returns how many of the next cycles, at most `cycles`, are like each other: without an event and without
-/// an answer, and with one cause.
+/// Returns how many of the next cycles, at most `cycles`, are alike: no event, no answer, and the same
+/// cause.
 std::uint64_t Dram::still(std::uint64_t cycles) const {
     if (valid_ || busy_) return 0;
     if (!answers_.empty()) cycles = std::min(cycles, answers_.front().cycle - now_ - 1);

@@ -74,12 +74,12 @@ public:
     /// Has the effect of that many calls of clock(nullptr); must not go beyond quiet_until().
     void skip(std::uint64_t cycles);
 
-    /// Has the effect of that many calls of clock(nullptr), whatever happens in them, or of fewer, if it
-    /// becomes idle before. It jumps over cycles in which nothing changes.
+    /// Has the effect of that many calls of clock(nullptr). Events and answers may occur in them. Stops early
+    /// when the DRAM becomes idle. Jumps over cycles in which nothing changes.
     void pass(std::uint64_t cycles);
 
-    /// Returns the number of cycles, from the current one on, whose answers are known whatever is requested
-    /// in them. No answer comes earlier than `answer_ps_` after the next event, or after the arrival of a
+    /// Returns the number of cycles, from the current one on, whose answers do not depend on requests made in
+    /// them. No answer comes earlier than `answer_ps_` after the next event, or after the arrival of a
     /// request that this cycle accepts.
     std::uint64_t known() const {
         const std::uint64_t arrival = period_ + std::uint64_t(part_.request_ps),

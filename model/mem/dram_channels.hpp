@@ -28,7 +28,7 @@ public:
     std::uint64_t quiet_until() const;
     void skip(std::uint64_t cycles);
 
-    // Of one channel, unless known() is 1.
+    // With one channel only. With several, known() is 1 and the other two must not be called.
     std::uint64_t known() const { return count_ == 1 ? channels_[0].known() : 1; }
     template <class F> void each_known(std::uint64_t cycles, F&& f) const {
         channels_[0].each_known(cycles, f);

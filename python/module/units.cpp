@@ -150,7 +150,7 @@ py::dtype unit_dtype(const std::string& name, bool is_response, const PyConfig& 
 /// Throws UserError unless the array holds the unit's rows one after the other. The package makes it so.
 void check_rows(const py::array& rows, const py::dtype& wanted) {
     if (rows.ndim() != 1 || !rows.dtype().equal(wanted) || !(rows.flags() & py::array::c_style))
-        throw UserError("the array is not a row of the unit's payloads in C order");
+        throw UserError("the array is not a one-dimensional array of the unit's payloads in C order");
 }
 
 void answer_into(const std::string& name, const py::array& requests, py::array& responses,
@@ -158,7 +158,8 @@ void answer_into(const std::string& name, const py::array& requests, py::array& 
     const UnitRow& unit = unit_of(name, config.value);
     check_rows(requests, dtype_of(unit.request.fields(config.value)));
     check_rows(responses, dtype_of(unit.response.fields(config.value)));
-    if (responses.shape(0) != requests.shape(0)) throw UserError("there is not one place for each answer");
+    if (responses.shape(0) != requests.shape(0))
+        throw UserError("the arrays of requests and answers differ in length");
     const char* const in = static_cast<const char*>(requests.data());
     char* const out = static_cast<char*>(responses.mutable_data());
     const std::size_t count = std::size_t(requests.shape(0));

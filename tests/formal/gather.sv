@@ -1,5 +1,5 @@
-// Properties of rc_gather, if a sequence starts only when no item is in the line and if it has no more
-// items than it says:
+// Properties of rc_gather, if a sequence starts only when the line is empty, and offers at most
+// total_i items:
 // - an offered line stays until it is accepted, and no item is accepted meanwhile;
 // - a line is offered exactly when it is full or has the last item;
 // - the items of the accepted lines are those that came: none is lost, none comes twice, and each

@@ -134,7 +134,7 @@ class Speed(Case):
         config = rayclock.Config()
         batch = hard_batch(1_000_000, config)
         made = np.zeros(len(batch), unit.response_dtype("tri", config))
-        for out in (None, made):   # beside a loop into a new vector, and one into memory that is there
+        for out in (None, made):   # compared with a loop into a new vector, and into an existing one
             ratios = []
             for _ in range(5):
                 begin = time.perf_counter()

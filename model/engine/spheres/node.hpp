@@ -9,9 +9,10 @@
 namespace rayclock {
 
 /// A node of a hierarchy of globes in a memory line of 64 bytes (right-aligned). A *globe* is a bounding
-/// sphere; a *sphere* is a primitive. Only the structure, and so this folder and its namespace, is called
-/// spheres, as in the parameter `structure`. Globe i has its centre at org + (centre << exp) and the radius
-/// radius << exp, in lattice steps. Kinds and the block at line `base` are those of Node.
+/// sphere; a *sphere* is a primitive. Only the structure is called "spheres": in the
+/// parameter `structure`, and so in the names of this folder and its namespace. Globe i has its centre at org
+/// + (centre << exp) and the radius radius << exp, in lattice steps. Kinds and the block at line `base` are
+/// those of Node.
 struct GlobeNode {
     Vec3i org{};
     std::uint32_t exp = 0;

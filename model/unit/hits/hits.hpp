@@ -35,7 +35,7 @@ public:
     /// One clock edge. `hit`: an answer was accepted; `written`: the line was. Returns the number of records
     /// that were written.
     std::uint32_t clock(bool hit, bool written) {
-        ++causes_[hit | written ? busy : full_ ? stalled_by_memory : starved_by_sched];
+        ++causes_[(hit | written) ? busy : full_ ? stalled_by_memory : starved_by_sched];
         turn_ = (turn_ + 1) % pipelines_;
         if (hit) {
             ++records_;

@@ -24,15 +24,12 @@ inline void no_hit(TriRsp& out) {
 /// - sheared: corners rounded in the ray's plane, then exact (sheared.hpp). In RTL; judged for watertightness
 ///   and bounded distance.
 /// - unit24: affine map to the unit triangle in 24-bit floats (baselines/unit24.hpp). In software; a baseline
-/// that
-///   leaks.
+///   that leaks.
 /// - moller: Moller and Trumbore in float32 (baselines/moller.hpp). In software; a baseline that leaks.
 /// - woop: Woop's watertight test in float32 without fallback (baselines/woop.hpp). In software; a baseline
-/// that hits
-///   twice.
+///   that hits twice.
 /// - truncated: Moller and Trumbore in Q.16 with truncated products (baselines/truncated.hpp). In software; a
-/// baseline
-///   that leaks.
+///   baseline that leaks.
 TriTest* tri_test_of(const Config& config);
 
 }   // namespace rayclock

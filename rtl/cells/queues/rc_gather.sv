@@ -1,10 +1,10 @@
 // Gathers items into lines of Records items, item 0 lowest.
 //
-// It accepts one item per cycle. A line is offered in the cycle after its last item came. Until the
-// line is accepted, no item is. start_i begins a sequence of total_i items, whose last line may be
-// partly empty: the rest of it is 0. start_i may be set only when no item is in the line, and at
-// most total_i items may be offered. While no line is offered, line_o shows the items so far.
-// Proof: tests/formal/gather.sv.
+// It accepts one item per cycle. A line is offered in the cycle after its last item. While a line
+// is on offer, no item is accepted. start_i begins a sequence of total_i items, whose last line
+// may be partly empty: the rest of it is 0. start_i may be set only when no item is in the line,
+// and at most total_i items may be offered. While no line is offered, line_o shows the items so
+// far. Proof: tests/formal/gather.sv.
 `default_nettype none
 module rc_gather #(
   parameter int unsigned Records   = 4,
@@ -23,7 +23,7 @@ module rc_gather #(
   output logic                     line_valid_o,
   input  logic                     line_ready_i,
   output logic [Records*Width-1:0] line_o,
-  output logic [Records-1:0]       accepted_o   // one bit for each item of a line that is accepted
+  output logic [Records-1:0]       accepted_o   // one bit for each item, when a line is accepted
 );
   localparam int unsigned CountW = $clog2(Records + 1);
 

@@ -1,5 +1,5 @@
-// The times at which a ray enters and leaves the box around the content of a cell: of a treelet's,
-// a slant's or a pair of planes' cell. Its six planes come in parallel pairs.
+// The times at which a ray enters and leaves the box around the content of a cell, for treelet,
+// slant and bih. Its six planes come in parallel pairs.
 //
 // Part of rc_cell_answer, which has the valid bits. Operands come with valid_i[0]; the
 // answer comes rc_pkg::PlaneStages + 1 + Cut cycles later.

@@ -381,8 +381,8 @@ module rc_trav (
     else            cause_o = step_ready ? rc_pkg::TravStarvedList : rc_pkg::TravBusyWork;
   end
 
-  // ---- Stage 0 of a step. A returning ray goes before a new step. It has no new children and no
-  // stop.
+  // ---- Stage 0 of a step. A returning ray has priority over a new step. It has no new children
+  // and no stop.
   logic               again_q, step_fires;
   logic [RayBits-1:0] again_ray_q, s0_ray;
   logic [TBits-1:0]   again_t_q;

@@ -122,7 +122,7 @@ void RtlMachine::start(const Frame& frame) {
     }
     width_ = frame.width;
     given_.assign(pixels_, 0);
-    if (config_.writes_hits()) {   // memory that nobody has written holds ones
+    if (config_.writes_hits()) {   // unwritten memory holds ones
         const std::uint64_t room = std::uint64_t(hits_of_line(config_));
         hit_lines_.assign(std::size_t((pixels_ + room - 1) / room) * words_per_line, ~0u);
         first_hit_line_ = frame.first_hit_line;

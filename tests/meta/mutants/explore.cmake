@@ -103,6 +103,9 @@ mutant(sample_intervals_of_half_the_width FILE sim/run/sample/estimate.cpp TEST 
 mutant(sample_runs_tiles_twice FILE sim/run/sample/sample.cpp TEST sample "samples of neighbouring parts*"
   OLD [[std::max(last_end, part - std::min(part, u.lengths.warm_up))]]
   NEW [[part - std::min(part, u.lengths.warm_up)]])
+mutant(sample_expects_no_latency FILE sim/run/sample/sample.cpp TEST sample "with few contexts*"
+  OLD [[contexts_(std::uint64_t(config.contexts)),]]
+  NEW [[contexts_(std::uint64_t(1) << 40),]])
 mutant(sample_expects_no_wait_for_xform FILE sim/run/sample/sample.cpp TEST sample "the expected cycles of*"
   OLD [[instance_(std::uint64_t(config.xform_interval) - 1)]]
   NEW [[instance_(0)]])

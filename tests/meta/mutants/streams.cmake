@@ -80,7 +80,8 @@ mutant(hits_of_a_pipeline_out_of_turn FILE rtl/unit/hits/rc_hits.sv TEST system 
 mutant(hits_blame_sched FILE rtl/unit/hits/rc_hits.sv TEST system "a chip writes the hits*"
   OLD [[? rc_pkg::HitsStalledMemory]]
   NEW [[? rc_pkg::HitsStarvedSched]])
-mutant(hits_forget_the_last_line QUICK FILE rtl/cells/queues/rc_gather.sv TEST system "a chip writes the hits*"
+mutant(hits_forget_the_last_line FILE rtl/cells/queues/rc_gather.sv TEST system
+  "a chip writes the hits*"
   OLD [[ || left_q == TotalBits'(1);]]
   NEW [[;]])
 mutant(hits_are_reads FILE rtl/rc_top.sv TEST system "a chip writes the hits*"
@@ -89,11 +90,12 @@ mutant(hits_are_reads FILE rtl/rc_top.sv TEST system "a chip writes the hits*"
 mutant(hits_end_a_frame_too_early FILE rtl/cells/queues/rc_gather.sv TEST system "a chip writes the hits*"
   OLD [[= full_q && line_ready_i && count_q]]
   NEW [[= full_q && count_q]])
-mutant(model_hits_wait_for_a_full_line FILE model/unit/hits/hits.hpp WITH model/machine/machine.cpp TEST system
-  "an answer leaves the chip*"
+mutant(model_hits_wait_for_a_full_line FILE model/unit/hits/hits.hpp WITH model/machine/machine.cpp
+  TEST system "an answer leaves the chip*"
   OLD [[full_ = records_ == room_ || left_ == 0;]]
   NEW [[full_ = records_ == room_;]])
-mutant(model_hits_leave_before_their_line FILE sim/run/stream/stream.cpp TEST system "an answer leaves the chip*"
+mutant(model_hits_leave_before_their_line FILE sim/run/stream/stream.cpp TEST system
+  "an answer leaves the chip*"
   OLD [[if (config.writes_hits() && !move.is_write) return;]]
   NEW [[if (config.writes_hits() && move.link != Link::hit) return;]])
 
