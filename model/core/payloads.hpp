@@ -365,8 +365,8 @@ struct HitOut {
     }
 };
 
-/// The answer to a ray of a stream, as the unit hits writes it into memory. The instance hit follows from the
-/// primitive's number.
+/// The answer to a ray of a stream, as the unit hits writes it into memory. It does not name an
+/// instance, so such a chip has one level.
 struct HitRecord {
     /// 1 in every record. Behind the last one, the rest of its line is 0.
     std::uint32_t valid = 0;

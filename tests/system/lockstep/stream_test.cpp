@@ -130,7 +130,7 @@ TEST_CASE("a stream walks two levels, alike in model and RTL", "[stream]") { che
 TEST_CASE("a stream walks two structures, alike in model and RTL", "[stream][slow]") {
     check_two_levels(
         {{"structure", int(Structure::kd)}, {"mesh_structure", int(MeshStructure::bvh)}, {"pipelines", 2}});
-    check_two_levels({{"raygen_interval", 4}, {"timing", int(Timing::fast)}, {"pixel_writes", 1}});
+    check_two_levels({{"raygen_interval", 4}, {"timing", int(Timing::fast)}});
 }
 
 TEST_CASE("with two levels, the stream of a picture's camera rays has the picture's hits and instances",
@@ -533,6 +533,8 @@ TEST_CASE("a chip for streams has no unit that only a picture needs", "[stream]"
     }
     CHECK_THROWS_WITH(with_settings(config, {"shading=0"}, "here"),
                       Catch::Contains("source=stream needs shading=1"));
+    CHECK_THROWS_WITH(with_settings(config, {"levels=2", "pixel_writes=1"}, "here"),
+                      Catch::Contains("needs levels=1: a hit in memory does not name its instance"));
     Config all = config;
     all.scan_out = all.smooth = all.spheres = true;
     CHECK_NOTHROW(check_config(streaming(all, load_scene("tetra:1")), "here"));
