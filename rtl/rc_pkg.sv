@@ -1564,13 +1564,14 @@ package rc_pkg;
 
   typedef struct packed {
     logic valid;
-    logic [13:0] y;
     logic [13:0] x;
+    logic [13:0] y;
+    logic [5:0] ray;
     logic found;
     logic [31:0] prim;
     logic [23:0] t;
     logic [16:0] u;
     logic [16:0] v;
   } hit_record_t;
-  localparam int unsigned HitRecordW = 120;
+  localparam int unsigned HitRecordW = 126;
 endpackage

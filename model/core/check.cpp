@@ -103,9 +103,6 @@ void check_optional_units(const Config& c, const Refuse& refuse) {
             refuse(std::string(key) + "=1 needs source=camera: a chip for ray streams has no unit shade");
     if (c.is_stream() && c.scan_out)
         refuse("scan_out=1 needs source=camera: a stream of rays draws no picture");
-    if (c.is_stream() && c.pixel_writes && c.has_instances())
-        refuse(
-            "pixel_writes=1 with source=stream needs levels=1: a hit in memory does not name its instance");
 }
 
 void check_board(const Config& c, const Refuse& refuse) {

@@ -365,23 +365,13 @@ struct HitOut {
     }
 };
 
-/// The answer to a ray of a stream, as the unit hits writes it into memory. It does not name an
-/// instance, so such a chip has one level.
+/// The answer to a ray of a stream, as the unit hits writes it into memory.
 struct HitRecord {
-    /// 1 in every record. Behind the last one, the rest of its line is 0.
-    std::uint32_t valid = 0;
-    std::uint32_t y = 0, x = 0;   ///< upper and lower bits of the ray's number
-    Closest closest;
-    template <class V> void fields(V& v_, const Config& c) {
-        v_("valid", valid, 1);
-        v_("y", y, c.pixel_bits);
-        v_("x", x, c.pixel_bits);
-        v_("found", closest.found, 1);
-        if (c.shading) v_("back", closest.back, 1);
-        v_("prim", closest.prim, c.prim_bits);
-        v_("t", closest.t, c.t_bits());
-        v_("u", closest.u, c.uv_bits());
-        v_("v", closest.v, c.uv_bits());
+    std::uint32_t valid = 0;   ///< 1 in a record; behind the last one, the rest of its line is 0
+    HitOut hit;
+    template <class V> void fields(V& v, const Config& c) {
+        v("valid", valid, 1);
+        hit.fields(v, c);
     }
 };
 /// Returns how many records a line of memory holds: four of 16 bytes if their fields fit, else two.

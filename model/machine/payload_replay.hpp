@@ -119,7 +119,7 @@ template <class See> void PayloadReplay::operator()(const Move& m, See&& see) {
             return;
         }
         case Link::hit:
-            if (config_.writes_hits()) records_.push_back({1, m.y, m.x, walk(m).closest()});
+            if (config_.writes_hits()) records_.push_back({1, {m.x, m.y, walk(m).closest(), {}}});
             if (!config_.has_shade()) return emit(HitOut{m.x, m.y, walk(m).closest(), {}});
             return emit(HitOut{m.x, m.y, shader(m).pixel().first, shader(m).pixel().colour});
         case Link::closest:

@@ -118,8 +118,8 @@ public:
         in_.push(request, asked);
         return made;
     }
-    /// Empties the queue of answers before calls of clock_unqueued(). Returns the answer of this cycle and
-    /// that of the next.
+    /// Empties the queue of answers before calls of clock_unqueued(). Returns the answers of this cycle and
+    /// of the next one.
     std::array<LinkRay, 2> take_answers();
     /// Fills it again, before other calls.
     void put_answers(const std::array<LinkRay, 2>& answers);

@@ -2,7 +2,7 @@
 //
 // It accepts one item per cycle. A line is offered in the cycle after its last item. While a line
 // is on offer, no item is accepted. start_i begins a sequence of total_i items, whose last line
-// may be partly empty: the rest of it is 0. start_i may be set only when no item is in the line,
+// may be partly empty: unused places are 0. start_i may be set only when no item is in the line,
 // and at most total_i items may be offered. While no line is offered, line_o shows the items so
 // far. Proof: tests/formal/gather.sv.
 `default_nettype none

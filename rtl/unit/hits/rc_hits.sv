@@ -4,8 +4,8 @@
 //
 // It accepts one answer per cycle. In cycle c of a frame only pipeline c mod Pipelines may send it.
 // A line is offered in the cycle after its last record came, and the unit accepts no answer until
-// memory has accepted the line. The line with the frame's last record may be partly empty; the rest
-// of it is 0. The user sets start_i as in rc_top.sv. Model: model/unit/hits/hits.hpp.
+// memory has accepted the line. The line with the frame's last record may be partly empty; unused
+// places are 0. The user sets start_i as in rc_top.sv. Model: model/unit/hits/hits.hpp.
 `default_nettype none
 module rc_hits (
   input  logic                                      clk_i,
@@ -36,7 +36,7 @@ module rc_hits (
   // ---- The pipeline that may send an answer, and its answer.
   logic [TurnW-1:0] turn;
   logic             ready, hit_fires, line_fires;
-  rc_pkg::hit_t     hit;
+  logic [HitW-1:0]  hit;   // rc_pkg::hit_t
 
   for (genvar p = 0; p < Pipelines; p++) begin : gen_ready
     assign hit_ready_o[p] = ready && turn == TurnW'(p);
@@ -60,9 +60,7 @@ module rc_hits (
   logic [NumberBits-1:0]       rays;
 
   if (rc_pkg::WritesHits) begin : gen_record
-    rc_pkg::hit_record_t fields;
-    assign fields = {1'b1, hit.y, hit.x, hit.found, hit.back, hit.prim, hit.t, hit.u, hit.v};
-    assign record = RecordW'(fields);
+    assign record = RecordW'({1'b1, hit});   // rc_pkg::hit_record_t
     assign {first_line, rays} = {frame_i.hits, frame_i.ray_count};
   end else begin : gen_none
     assign {record, first_line, rays} = '0;

@@ -115,12 +115,11 @@ private:
     template <class Take> void read_hits(Take&& take) {
         const std::size_t room = words_per_line / std::size_t(hits_of_line(config_));
         for (std::uint64_t i = 0; i < pixels_; ++i) {
-            const auto record = unpack<HitRecord>(&hit_lines_[std::size_t(i) * room], config_);
-            HitOut hit{record.x, record.y, record.closest, {}};
+            auto record = unpack<HitRecord>(&hit_lines_[std::size_t(i) * room], config_);
             if (!record.valid)
                 complain(0, Link::mem_req, fmt::format("hit {} in memory without its valid bit", i));
-            else if (check_hit(0, hit))
-                take(hit);
+            else if (check_hit(0, record.hit))
+                take(record.hit);
         }
     }
     bool check_hit(int pipeline, HitOut& hit);

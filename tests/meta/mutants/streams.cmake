@@ -71,9 +71,9 @@ mutant(hits_go_to_the_next_line FILE rtl/unit/hits/rc_hits.sv TEST system "a chi
 mutant(hits_overwrite_one_line FILE rtl/unit/hits/rc_hits.sv TEST system "a chip writes the hits*"
   OLD [[addr_q <= addr_q + 1'b1;]]
   NEW [[addr_q <= addr_q;]])
-mutant(hits_swap_u_and_v FILE rtl/unit/hits/rc_hits.sv TEST system "a chip writes the hits*"
-  OLD [[hit.t, hit.u, hit.v};]]
-  NEW [[hit.t, hit.v, hit.u};]])
+mutant(hits_change_the_lowest_bit FILE rtl/unit/hits/rc_hits.sv TEST system "a chip writes the hits*"
+  OLD [[{1'b1, hit}]]
+  NEW [[{1'b1, hit ^ HitW'(1)}]])
 mutant(hits_of_a_pipeline_out_of_turn FILE rtl/unit/hits/rc_hits.sv TEST system "a chip writes the hits*"
   OLD [[turn_q <= start_i ? '0 : turn_q + 1'b1;]]
   NEW [[turn_q <= start_i ? 1'b1 : turn_q + 1'b1;]])
