@@ -37,8 +37,8 @@ module rc_chip #(
 
   logic                         start, count, clear, counter_there;
   rc_pkg::frame_t               frame;
-  logic [rc_pkg::CounterBits-1:0] counter;
-  logic [rc_pkg::TallyBits-1:0] counter_value;
+  logic [rc_pkg::CounterNumberBits-1:0] counter;
+  logic [rc_pkg::CounterBits-1:0] counter_value;
   logic [Units*rc_pkg::CauseBits-1:0] causes;
   logic [rc_pkg::MostAnswers-1:0] hit_fires;
 

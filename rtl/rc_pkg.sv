@@ -548,7 +548,7 @@ package rc_pkg;
   localparam int unsigned RegFrame = 1024;
   localparam int unsigned RegCounters = 8192;
   localparam int unsigned RegAddrBits = 14;
-  localparam int unsigned CounterBits = 12;
+  localparam int unsigned CounterNumberBits = 12;
   localparam int unsigned Parameters = 27;
   localparam logic [863:0] ParameterValues = {
     32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0,
@@ -564,7 +564,7 @@ package rc_pkg;
     16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32,
     16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32,
     16'd2, 16'd32, 16'd18, 16'd18, 16'd18, 16'd24, 16'd15, 16'd15};
-  localparam int unsigned TallyBits = 40;
+  localparam int unsigned CounterBits = 40;
   localparam int unsigned PipelineUnits = 18;
   localparam int unsigned SchedUnit = 0;
   localparam int unsigned RaygenUnit = 1;
@@ -582,12 +582,10 @@ package rc_pkg;
   localparam int unsigned DecideUnit = 4;
   localparam int unsigned MeshUnit = 4;
   localparam int unsigned SharedUnits = 4;
-  localparam logic [17:0] PipelineUnitsThere = {
+  localparam logic [21:0] UnitsThere = {
     1'd0, 1'd0, 1'd0, 1'd0, 1'd0, 1'd0, 1'd1, 1'd1,
     1'd1, 1'd0, 1'd0, 1'd0, 1'd0, 1'd1, 1'd1, 1'd1,
-    1'd1, 1'd1};
-  localparam logic [3:0] SharedUnitsThere = {
-    1'd0, 1'd0, 1'd1, 1'd1};
+    1'd1, 1'd1, 1'd0, 1'd0, 1'd1, 1'd1};
 
   // What the links carry: model/machine/links.hpp.
 

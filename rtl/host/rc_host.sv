@@ -30,18 +30,18 @@ module rc_host #(
   // To and from the counters
   output logic                         count_o,     // this cycle is counted
   output logic                         clear_o,     // clears the selected counter of all units
-  output logic [rc_pkg::CounterBits-1:0] counter_o,   // the selected counter
+  output logic [rc_pkg::CounterNumberBits-1:0] counter_o,   // the selected counter
   input  logic                         counter_there_i,
-  input  logic [rc_pkg::TallyBits-1:0] counter_i,
+  input  logic [rc_pkg::CounterBits-1:0] counter_i,
   // Status, for pins
   output logic                         running_o,   // this cycle belongs to a frame
   output logic                         done_o       // a frame has ended and none was started since
 );
-  localparam int unsigned TallyBits  = rc_pkg::TallyBits;
-  localparam int unsigned SideW      = rc_pkg::PixelBits + 1;  // side of a picture
-  localparam int unsigned FrameWords = rc_pkg::FrameWords;
-  localparam int unsigned AddrW      = rc_pkg::RegAddrBits;
-  localparam int unsigned CounterW   = rc_pkg::CounterBits;
+  localparam int unsigned CounterBits = rc_pkg::CounterBits;
+  localparam int unsigned SideW       = rc_pkg::PixelBits + 1;  // side of a picture
+  localparam int unsigned FrameWords  = rc_pkg::FrameWords;
+  localparam int unsigned AddrW       = rc_pkg::RegAddrBits;
+  localparam int unsigned CounterW    = rc_pkg::CounterNumberBits;
 
   // ---- Bus access: its registers hold the address and the data until the answer.
   logic        accepted_q, ack_q, err_q, we_q, req_valid, fires, writes, good;
@@ -168,7 +168,7 @@ module rc_host #(
 
   // ---- Counters.
   logic                 counts_q;   // the host enables counting
-  logic [TallyBits-1:0] cycles_q;
+  logic [CounterBits-1:0] cycles_q;
   logic [31:0]          high_q;  // upper word of cycles_q at the time of the read of its lower word
 
   assign count_o = Counters != 0 && running_o && counts_q;

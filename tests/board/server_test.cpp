@@ -109,7 +109,7 @@ TEST_CASE("a terminal passes bytes between programs, and its link lasts as long 
 }
 
 TEST_CASE("time-outs of a real board are too short for a simulated one, and longer ones are not",
-          "[server]") {
+          "[server][long]") {
     Served served;
     Port port(served.terminal.name(), port_baud);
     // The time-outs of three tries are 1.5 s. The simulation needs about seven million cycles.

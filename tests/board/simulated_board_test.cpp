@@ -299,7 +299,8 @@ TEST_CASE("a frame of a camera's chip on the board is the model's, up to the scr
     require_equal_frames({.config = camera_chip(), .is_lit = true, .depth = 0}, 1);
 }
 
-TEST_CASE("a chip whose clock stands still while it is idle leaves every pin as it was", "[simulated]") {
+TEST_CASE("a chip whose clock stands still while it is idle leaves every pin as it was",
+          "[simulated][long]") {
     const Setting s{.config = camera_chip(), .is_lit = true, .depth = 0};
     const Job job = make_shot(s.scene, s.size, load_config(s.config)).job;
     TwinBoards boards(job.config, shape_of(s));
@@ -325,7 +326,8 @@ TEST_CASE("a frame that does not end in time is reported in one sentence", "[sim
     CHECK_THROWS_WITH(host.run(frame, LinkTime(1000)), "the board hangs: the frame has not ended after 1 ms");
 }
 
-TEST_CASE("a reset in the middle of a frame is reported, and the next frame is the model's", "[simulated]") {
+TEST_CASE("a reset in the middle of a frame is reported, and the next frame is the model's",
+          "[simulated][long]") {
     const Setting s{.config = camera_chip(), .depth = 0};
     const ModelFrame model(s);
     SimulatedBoard board(model.job.config, shape_of(s));

@@ -14,7 +14,7 @@ module host_cycles (
   input logic [31:0]                  wb_dat_i,
   input logic [rc_pkg::Pipelines-1:0] hit_fires_i
 );
-  localparam int unsigned TallyBits = rc_pkg::TallyBits;
+  localparam int unsigned CounterBits = rc_pkg::CounterBits;
   logic [31:0] wb_dat_o;
   logic        wb_ack_o, wb_err_o, count_o, clear_o;
   rc_host u_dut (
@@ -42,26 +42,26 @@ module host_cycles (
 
   // ---- What should be the case: the count now and a cycle ago, and what its lower word was read
   // with.
-  logic [TallyBits-1:0] count_q, before_q, read_q;
+  logic [CounterBits-1:0] count_q, before_q, read_q;
   logic                 some_q = 1'b0;   // it was read
   logic                 reads_low, reads_high;
   assign reads_low  = wb_ack_o && !wb_we_i && wb_adr_i == rc_pkg::RegAddrBits'(rc_pkg::RegCycles);
   assign reads_high = wb_ack_o && !wb_we_i &&
       wb_adr_i == rc_pkg::RegAddrBits'(rc_pkg::RegCycles + 1);
   always @(posedge clk_i) begin
-    count_q  <= clear_o ? '0 : count_q + {{(TallyBits-1){1'b0}}, count_o};
+    count_q  <= clear_o ? '0 : count_q + {{(CounterBits-1){1'b0}}, count_o};
     before_q <= count_q;
     if (reads_low && begun_q == 2'd2) begin
       some_q <= 1'b1;
       read_q <= before_q;
     end
   end
-  (* hierconn *) wire [TallyBits-1:0] \u_dut.cycles_q ;
+  (* hierconn *) wire [CounterBits-1:0] \u_dut.cycles_q ;
   always @* assume (begun_q != 2'd0 || count_q == \u_dut.cycles_q );
   always @* if (begun_q == 2'd2) begin
     a_low:  assert (!reads_low || wb_dat_o == before_q[31:0]);
     a_high: assert (!reads_high || !some_q ||
-        wb_dat_o == {{(64-TallyBits){1'b0}}, read_q[TallyBits-1:32]});
+        wb_dat_o == {{(64-CounterBits){1'b0}}, read_q[CounterBits-1:32]});
   end
 
   // ---- Ties to the inside, as an induction needs them.
@@ -75,6 +75,6 @@ module host_cycles (
     t_access: assert (begun_q != 2'd2 || !(\u_dut.accepted_q || wb_ack_o) ||
                       (cyc_q && !answered_q && \u_dut.adr_q == adr_q && \u_dut.we_q == we_q));
     t_high:   assert (begun_q != 2'd2 || !some_q || reads_low ||
-        \u_dut.high_q == {{(64-TallyBits){1'b0}}, read_q[TallyBits-1:32]});
+        \u_dut.high_q == {{(64-CounterBits){1'b0}}, read_q[CounterBits-1:32]});
   end
 endmodule

@@ -213,7 +213,7 @@ prove(mutant:formal_host_upper_word_one_bit_off TOP host_cycles RTL ${host} CYCL
   NEW [[high_q   <= 32'(cycles_q >> 33)]])
 prove(mutant:formal_host_count_does_not_carry TOP host_cycles RTL ${host} CYCLES 10 FILE host/rc_host.sv
   OLD [[cycles_q <= cycles_q + 1'b1;]]
-  NEW [[cycles_q <= {cycles_q[TallyBits-1:32], cycles_q[31:0] + 32'd1};]])
+  NEW [[cycles_q <= {cycles_q[CounterBits-1:32], cycles_q[31:0] + 32'd1};]])
 
 # ---- Sum or difference: of the device's carry cells, by their models in Yosys.
 foreach(width IN ITEMS 1 2 5 8)

@@ -89,7 +89,7 @@ Job small_job() {
 
 }   // namespace
 
-TEST_CASE("nothing that faulty RTL sends crashes the program") {
+TEST_CASE("nothing that faulty RTL sends crashes the program", "[long]") {
     const Job job = small_job();
     const HostileRtl rtl;
     REQUIRE(run_lockstep(job).agrees());

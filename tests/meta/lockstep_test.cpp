@@ -122,7 +122,7 @@ TEST_CASE("lockstep names the first wrong value") {
     CHECK(result.model.digest != result.rtl.digest);
 }
 
-TEST_CASE("lockstep names the pixel whose ray is wrong") {
+TEST_CASE("lockstep names the pixel whose ray is wrong", "[long]") {
     const Job job = small_job();
     const Event event = first_event<Ray>(job, Link::ray, [](const Ray& ray) { return ray.ray == 5; });
     const Mutant mutant("unit/raygen/rc_raygen.sv", "assign ray_o = ray_data;",
@@ -175,7 +175,7 @@ TEST_CASE("lockstep names the first cycle in which the RTL is early") {
     CHECK_FALSE(result.agrees());
 }
 
-TEST_CASE("lockstep ends when the RTL never gives a pixel") {
+TEST_CASE("lockstep ends when the RTL never gives a pixel", "[long]") {
     const Job job = small_job();
     LockstepResult result;
     const Mutant hanging(
@@ -216,7 +216,7 @@ TEST_CASE("a frame that ends too early is the first divergence") {
                                            Catch::Contains("since the RTL counts only while its frame runs"));
 }
 
-TEST_CASE("a done that is left from the frame before is the first divergence") {
+TEST_CASE("a done that is left from the frame before is the first divergence", "[long]") {
     const Job job = small_job();
     std::vector<RecordedFrame> frames;
     for (int i = 0; i < 2; ++i) frames.push_back(record_frame(job, job.frame));
@@ -278,7 +278,7 @@ TEST_CASE("every field that a unit before a cache sends is a field of a link beh
     for (const std::string_view name : sent_by_trav) CHECK(of_trav.count(std::string(name)) == 1);
 }
 
-TEST_CASE("a ray that ends too early is reported with the unit that ended it") {
+TEST_CASE("a ray that ends too early is reported with the unit that ended it", "[long]") {
     const Job job = small_job();
     // The group below the top never matters: the ray is done when it is left.
     const Mutant mutant("unit/trav/rc_stack.sv", "below_matters = top_below <= tested.t_best;",
@@ -314,7 +314,7 @@ TEST_CASE("a wrong cycle register is reported in a sentence") {
                                "the RTL; 1 more counter differs"));
 }
 
-TEST_CASE("lockstep sees a unit that counts a cycle under a wrong cause") {
+TEST_CASE("lockstep sees a unit that counts a cycle under a wrong cause", "[long]") {
     const Job job = small_job();
     const Mutant mutant("unit/trav/rc_node_test.sv", "cause_o = node_waits_i ?", "cause_o = !node_waits_i ?");
     const LockstepResult result = run_lockstep(job);

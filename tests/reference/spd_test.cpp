@@ -33,7 +33,7 @@ double deviation(std::uint64_t is, std::uint64_t wanted) {
 
 }   // namespace
 
-TEST_CASE("ray counts of Haines' scenes are the published ones", "[reference][whitted][spd]") {
+TEST_CASE("ray counts of Haines' scenes are the published ones", "[reference][whitted][spd][long]") {
     const auto c = GENERATE(values<Case>({
         {"balls:4", {.shadow = 954051, .reflection = 175078, .refraction = 0, .primary_hits = 263169}},
         {"gears:4", {.shadow = 2246825, .reflection = 304629, .refraction = 207543, .primary_hits = 245090}},
@@ -57,7 +57,7 @@ TEST_CASE("ray counts of Haines' scenes are the published ones", "[reference][wh
 }
 
 TEST_CASE("twice as many sides of cones and cylinders change no count by more than 0.2 %",
-          "[reference][whitted][spd]") {
+          "[reference][whitted][spd][long]") {
     const auto [once, twice] = GENERATE(
         table<const char*, const char*>({{"rings:3:96", "rings:3:192"}, {"tree:8:48", "tree:8:96"}}));
     RayCounts rays[2];

@@ -74,7 +74,7 @@ Scene by_hand() {
 }   // namespace
 
 TEST_CASE("model and RTL trace a stream through spheres and planes alike, and every answer is right",
-          "[stream][solids]") {
+          "[stream][solids][long]") {
     struct Run {
         const char* scene;
         Values values;

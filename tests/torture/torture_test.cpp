@@ -41,7 +41,7 @@ TEST_CASE("model and RTL agree under torture") {
         GENERATE(filter([](const std::string& c) { return !has_textures(c); }, from_range(torture_chips()))));
 }
 
-TEST_CASE("model and RTL agree under torture with textures") {
+TEST_CASE("model and RTL agree under torture with textures", "[long]") {
     check_lockstep(GENERATE(filter(has_textures, from_range(torture_chips()))));
 }
 

@@ -9,7 +9,7 @@ module rc_cause_counters (
   input  logic [rc_pkg::CauseBits-1:0] cause_i,
   input  logic                         clear_i,   // clears at_i's counter; not while counting
   input  logic [rc_pkg::CauseBits-1:0] at_i,
-  output logic [rc_pkg::TallyBits-1:0] count_o    // at_i's counter; valid while nothing is counted
+  output logic [rc_pkg::CounterBits-1:0] count_o   // at_i's counter; valid while nothing is counted
 );
   logic                         counts_q;
   logic [rc_pkg::CauseBits-1:0] cause_q, at;
@@ -21,7 +21,7 @@ module rc_cause_counters (
   end
 
   // The memory. Its port serves the delayed cause while counting, and at_i otherwise.
-  logic [rc_pkg::TallyBits-1:0] count_q [1 << rc_pkg::CauseBits];
+  logic [rc_pkg::CounterBits-1:0] count_q [1 << rc_pkg::CauseBits];
   assign at      = counts_q ? cause_q : at_i;
   assign count_o = count_q[at];
 

@@ -108,7 +108,7 @@ std::string host_constants(const Config& config) {
         if (r.constant) text += constant(std::string("Reg") + r.constant, r.address);
     text += constant("RegParameters", parameter_base) + constant("RegFrame", frame_base);
     text += constant("RegCounters", counter_base);
-    text += constant("RegAddrBits", address_bits) + constant("CounterBits", counter_bits);
+    text += constant("RegAddrBits", address_bits) + constant("CounterNumberBits", counter_number_bits);
     std::vector<std::uint32_t> values, at, bits;
     for (const HostParameter& p : host_parameters(config)) values.push_back(p.value);
     for (const FrameWord& word : frame_words(config)) {
@@ -118,16 +118,16 @@ std::string host_constants(const Config& config) {
     text += constant("Parameters", std::uint32_t(values.size())) + list("ParameterValues", values, 32);
     text += constant("FrameWords", std::uint32_t(at.size())) + list("FrameAt", at, 16);
     text += list("FrameBits", bits, 16);
-    std::vector<std::uint32_t> pipeline, shared;
-    for (std::size_t u = 0; u < pipeline_units + shared_units; ++u)
-        (u < pipeline_units ? pipeline : shared).push_back(is_there(Unit(u), config));
-    text += constant("TallyBits", tally_bits) + constant("PipelineUnits", pipeline_units);
+    std::vector<std::uint32_t> units;   // the shared ones, then those of a pipeline
+    for (std::size_t u = 0; u < shared_units; ++u)
+        units.push_back(is_there(Unit(pipeline_units + u), config));
+    for (std::size_t u = 0; u < pipeline_units; ++u) units.push_back(is_there(Unit(u), config));
+    text += constant("CounterBits", counter_bits) + constant("PipelineUnits", pipeline_units);
     for (std::size_t u = 0; u < pipeline_units; ++u)   // the place of a unit's cause; node units follow
         if (!is_node_unit(Unit(u))) text += constant(camel(unit_infos[u].name) + "Unit", std::uint32_t(u));
     text += constant("DecideUnit", std::uint32_t(index(node_unit(config.engine()).unit)));
     text += constant("MeshUnit", std::uint32_t(index(node_unit(config.lower_engine()).unit)));
-    text += constant("SharedUnits", shared_units) + list("PipelineUnitsThere", pipeline, 1);
-    return text + list("SharedUnitsThere", shared, 1);
+    return text + constant("SharedUnits", shared_units) + list("UnitsThere", units, 1);
 }
 
 class Package {

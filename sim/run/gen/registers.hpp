@@ -31,9 +31,9 @@ constexpr std::uint32_t host_magic = 0x52434c4b;   ///< "RCLK"
 constexpr std::uint32_t host_version = 2;
 constexpr std::uint32_t parameter_base = 0x20, frame_base = 0x400, counter_base = 0x2000;
 constexpr int address_bits = 14;
-constexpr int tally_bits = 40;   ///< width of a counter, which takes two words
+constexpr int counter_bits = 40;   ///< width of a counter, which takes two words
 /// Width of a counter's number, {group, unit, cause}. The address has one more bit, which selects the word.
-constexpr int counter_bits = std::countr_zero(counter_base) - 1;
+constexpr int counter_number_bits = std::countr_zero(counter_base) - 1;
 
 /// A parameter of the configuration that the host can read, at parameter_base + its index.
 struct HostParameter {

@@ -320,7 +320,7 @@ TEST_CASE("a session begins behind garbage, and behind the half packet of a prog
     }
 }
 
-TEST_CASE("nothing is lost, doubled or wrong when bytes are", "[faults]") {
+TEST_CASE("nothing is lost, doubled or wrong when bytes are", "[faults][long]") {
     abuse(11, 4000, 50, 40, 1);
     abuse(12, 3000, 500, 20, 1);
     abuse(13, 3000, 3000, 1, 2);

@@ -56,7 +56,7 @@ std::uint32_t underruns(const ShownPicture& picture, const ScanOut::Shape& shape
 
 const ShownPicture full{0, 640, 480}, doubled{0, 320, 240, true};
 
-TEST_CASE("scan-out has the model's cycles under a random memory", "[board][scan]") {
+TEST_CASE("scan-out has the model's cycles under a random memory", "[board][scan][long]") {
     struct Case {
         ShownPicture picture;
         ReadPort::Speed speed;

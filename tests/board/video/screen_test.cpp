@@ -140,7 +140,7 @@ TEST_CASE("a million bytes of any content leave the channel balanced", "[board][
     REQUIRE(most <= 8);
 }
 
-TEST_CASE("a picture passes from pixels to the screen bit by bit", "[board][screen]") {
+TEST_CASE("a picture passes from pixels to the screen bit by bit", "[board][screen][long]") {
     struct Case {
         ShownPicture picture;
         std::uint32_t khz;
@@ -181,7 +181,7 @@ TEST_CASE("a picture passes from pixels to the screen bit by bit", "[board][scre
     REQUIRE(board.screen.largest_disparity() <= 8);
 }
 
-TEST_CASE("two frames pass between the clocks without a gap", "[board][screen]") {
+TEST_CASE("two frames pass between the clocks without a gap", "[board][screen][long]") {
     const std::uint32_t khz = GENERATE(50000U, 62500U, 75000U, 100000U);
     CAPTURE(khz);
     const LineMemory memory(80 * 60);

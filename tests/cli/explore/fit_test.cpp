@@ -27,7 +27,7 @@ std::string stadium(double half) {
 
 }   // namespace
 
-TEST_CASE("fit writes a configuration that verify passes with") {
+TEST_CASE("fit writes a configuration that verify passes with", "[long]") {
     const std::string scene = GENERATE("teapot:3", "cornell");
     const TestFolder folder;
     const std::string file = folder.name("fitted.json");

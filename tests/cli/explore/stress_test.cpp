@@ -65,7 +65,7 @@ TEST_CASE("stress writes a page with a picture of each family") {
                                            Catch::Contains("### ties"));
 }
 
-TEST_CASE("a stress run that is interrupted keeps what is done and goes on from there") {
+TEST_CASE("a stress run that is interrupted keeps what is done and goes on from there", "[long]") {
     const TestFolder folder;
     const std::vector<std::string> arguments{"stress",   "--bits",       "16",
                                              "--family", "edges,shells", "--rays",

@@ -340,7 +340,7 @@ TEST_CASE("tradeoff writes its page with a plot for each scene") {
                   {"no/such/page.md"});
 }
 
-TEST_CASE("Yosys counts multipliers and flip-flops once, where there is RTL") {
+TEST_CASE("Yosys counts multipliers and flip-flops once, where there is RTL", "[long]") {
     if (run_program({"doctor", "--json", "-"}).out.find("\"yosys\": null") != std::string::npos) return;
     const TestFolder folder;
     const auto counts = [&] {

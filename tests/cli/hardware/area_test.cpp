@@ -19,7 +19,7 @@ const json& part_of(const json& variant, const std::string& name) {
 
 }   // namespace
 
-TEST_CASE("area counts the units of every machine, each different one once, and finds them again") {
+TEST_CASE("area counts the units of every machine, each different one once, and finds them again", "[long]") {
     const TestFolder folder;
     const std::vector<std::string> cache{"RAYCLOCK_CACHE=" + folder.name("cache")};
     const auto area = [&](const char* report) {

@@ -100,7 +100,7 @@ TEST_CASE("clocks that the board's memory does not allow are refused") {
     check_refused(run_program(tiny("board", {"--clock", "50,75"})), {"takes one clock"});
 }
 
-TEST_CASE("a sample reports the reads of the board's screen, and no underruns") {
+TEST_CASE("a sample reports the reads of the board's screen, and no underruns", "[long]") {
     const TestFolder folder;
     const std::string out = folder.name("out.json");
     CHECK(run_program({"simulate", "gears:1", "--config", "ulx3s-board", "--clock", "75", "--size", "320x240",

@@ -11,7 +11,7 @@ using namespace rayclock::test;
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-TEST_CASE("chip routes each seed once, reports the fastest, and answers from what is kept") {
+TEST_CASE("chip routes each seed once, reports the fastest, and answers from what is kept", "[long]") {
     const FakeNextpnr fake;
     const std::string out = fake.folder().name("out"), report = fake.folder().name("a.json");
     const ProgramRun first = fake.run({"--seeds", "1,2", "-o", out, "--json", report});
@@ -71,7 +71,7 @@ TEST_CASE("chip routes each seed once, reports the fastest, and answers from wha
     CHECK(fake.routed() == 11);
 }
 
-TEST_CASE("an interrupted chip keeps its netlist and its seeds, and goes on after them") {
+TEST_CASE("an interrupted chip keeps its netlist and its seeds, and goes on after them", "[long]") {
     const FakeNextpnr fake;
     fake.replace("case \"$*\" in *'--seed 2') sleep 100;; esac");
     const ProgramRun stopped =
@@ -112,7 +112,7 @@ TEST_CASE("a router that fails is one sentence, and nothing of it is kept") {
     CHECK(fake.kept("yosys-") == 0);
 }
 
-TEST_CASE("a router without progress is stopped, and another seed may be routed") {
+TEST_CASE("a router without progress is stopped, and another seed may be routed", "[long]") {
     const FakeNextpnr fake;
     const std::string stuck =
         "echo 'Info: Running router2...'; i=0; while [ $i -lt 110 ]; do i=$((i+1)); "
@@ -318,7 +318,7 @@ TEST_CASE("chip --board refuses wrong options and failing tools") {
     check_refused(board.run(), {"ecppack is not installed"});
 }
 
-TEST_CASE("a chip that is interrupted during a second placement continues after the first") {
+TEST_CASE("a chip that is interrupted during a second placement continues after the first", "[long]") {
     const FakeNextpnr fake;
     fake.replace("case \"$*\" in *anchored*--seed*) sleep 100;; esac");
     const std::vector<std::string> placed{"--placements", "3", "--router", "router1"};

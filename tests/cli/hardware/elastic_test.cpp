@@ -152,7 +152,7 @@ TEST_CASE("a unit alone reports what it compared, and names what it left out") {
     }
 }
 
-TEST_CASE("the run lines of a template for streams work") {
+TEST_CASE("the run lines of a template for streams work", "[long]") {
     const TestFolder folder;
     const ProgramRun outcome =
         run_program({"template", "tri", "--config", "small", "--set", "source=stream", "--set", "shading=1",

@@ -51,8 +51,8 @@ std::size_t lines_of(const std::string& text) {
 
 }   // namespace
 
-TEST_CASE(
-    "an export's test bench passes on its own, and sees a pixel, a counter and a memory that is wrong") {
+TEST_CASE("an export's test bench passes on its own, and sees a pixel, a counter and a memory that is wrong",
+          "[long]") {
     const TestFolder folder;
     const std::string place = folder.name("chip");
     const ProgramRun made = run_program(
@@ -114,7 +114,7 @@ TEST_CASE("an export's test bench sees a register whose reset is missing", "[slo
     CHECK_THAT(seen.out, Contains("FAIL") && !Contains("PASS"));
 }
 
-TEST_CASE("an export's test bench passes under Icarus, where no value that matters is unknown") {
+TEST_CASE("an export's test bench passes under Icarus, where no value that matters is unknown", "[long]") {
     const TestFolder folder;
     if (in(folder.name(""), "command -v iverilog").code != 0) {
         WARN("iverilog is not installed: the export is not tried with it");

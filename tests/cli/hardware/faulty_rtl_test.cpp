@@ -78,7 +78,7 @@ void check_waveform(const TestFolder& folder, const nlohmann::json& d) {
 
 }   // namespace
 
-TEST_CASE("verify names the first divergence of wrong RTL, and shows it as a waveform") {
+TEST_CASE("verify names the first divergence of wrong RTL, and shows it as a waveform", "[long]") {
     const TestFolder folder;
     // u of every hit is one too large.
     const std::string rtl =

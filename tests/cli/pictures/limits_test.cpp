@@ -96,7 +96,7 @@ TEST_CASE("a sweep says which of its points is farthest, and which points are fa
           nlohmann::json{true, false, true, false});
 }
 
-TEST_CASE("every frame of a film is held against the limits, and the farthest is named") {
+TEST_CASE("every frame of a film is held against the limits, and the farthest is named", "[long]") {
     const TestFolder folder;
     // The last frame shows only background and equals the reference's.
     const std::vector<std::string> frames{"--frames", "3", "--pan", "90"};

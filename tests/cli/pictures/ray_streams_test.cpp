@@ -194,7 +194,7 @@ TEST_CASE("the reference's answers to rays for any hit within a radius are those
     CHECK(model == reference);
 }
 
-TEST_CASE("stress runs a stream on random chips in lockstep", "[rays]") {
+TEST_CASE("stress runs a stream on random chips in lockstep", "[rays][long]") {
     const TestFolder folder;
     const std::string rays = folder.name("rays.npy");
     report({"rays", "tetra:1", "--kind", "camera", "--size", "6x4", "-o", rays});

@@ -11,7 +11,7 @@
 using namespace rayclock::test;
 using nlohmann::json;
 
-TEST_CASE("the page of figures shows every picture and every number") {
+TEST_CASE("the page of figures shows every picture and every number", "[long]") {
     const TestFolder folder;
     const ProgramRun outcome =
         run_program({"study", "figures", "-o", folder.name("page"), "--size", "32x24", "--engine",
@@ -123,7 +123,7 @@ TEST_CASE("rays of tetra are the published ones", "[slow]") {
     CHECK(scene["good"] == true);
 }
 
-TEST_CASE("the page of structures has every structure on every scene, and the list on small ones") {
+TEST_CASE("the page of structures has every structure on every scene, and the list on small ones", "[long]") {
     const TestFolder folder;
     const ProgramRun outcome =
         run_program({"study", "structures", "-o", folder.name("."), "--scenes", "tetra:2", "--size", "32x24",
@@ -218,7 +218,7 @@ TEST_CASE("the page of scale has every frame with its cost, and its exponents ar
     check_refused(run_program({"study", "scale", "-o", folder.name("."), "--sizes", "0x5"}), {"0 x 5"});
 }
 
-TEST_CASE("the page of textures has every filter and format, and the same cycles as simulate") {
+TEST_CASE("the page of textures has every filter and format, and the same cycles as simulate", "[long]") {
     const TestFolder folder;
     const ProgramRun outcome =
         run_program({"study", "textures", "-o", folder.name("page"), "--size", "48x36", "--scenes",

@@ -99,7 +99,7 @@ TEST_CASE("halves of a solid have their surfaces", "[slant]") {
     CHECK(solid.area() == Approx((28 + lid - 4) / 2 + 4));
 }
 
-TEST_CASE("an image of planes in any direction holds every primitive in its cells", "[slant]") {
+TEST_CASE("an image of planes in any direction holds every primitive in its cells", "[slant][long]") {
     check_scenes(8, Straddlers::leaves);
     check_scenes(2, Straddlers::stop);
 }

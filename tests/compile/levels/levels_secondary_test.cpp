@@ -259,7 +259,7 @@ TEST_CASE("no instance shadows itself, and none leaks, through random maps", "[l
     CHECK(20 * (shadows.either + bounces.either) <= shadows.ways + bounces.ways);
 }
 
-TEST_CASE("no box of the scene's tree hides what a secondary ray meets", "[levels][secondary]") {
+TEST_CASE("no box of the scene's tree hides what a secondary ray meets", "[levels][secondary][long]") {
     const auto [least, most, shear] =
         GENERATE(values<std::tuple<double, double, double>>({{0.5, 0.5, 0}, {0.1, 3, 0}, {0.3, 2, 3}}));
     const Structure structure = GENERATE(from_range(tree_structures()));

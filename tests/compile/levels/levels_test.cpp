@@ -211,7 +211,8 @@ Tally judge(const PlacedScene& scene, const Config& config, const glm::dvec3& ey
 
 }   // namespace
 
-TEST_CASE("rays through random maps find what the oracle finds, in every format and structure", "[levels]") {
+TEST_CASE("rays through random maps find what the oracle finds, in every format and structure",
+          "[levels][long]") {
     struct Family {
         const char* name;
         double least, most, shear;

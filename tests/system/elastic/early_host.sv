@@ -18,9 +18,9 @@ module rc_host #(
   input  logic [rc_pkg::Pipelines-1:0]   hit_fires_i,
   output logic                           count_o,
   output logic                           clear_o,
-  output logic [rc_pkg::CounterBits-1:0] counter_o,
+  output logic [rc_pkg::CounterNumberBits-1:0] counter_o,
   input  logic                           counter_there_i,
-  input  logic [rc_pkg::TallyBits-1:0]   counter_i,
+  input  logic [rc_pkg::CounterBits-1:0]   counter_i,
   output logic                           running_o,
   output logic                           done_o
 );

@@ -132,7 +132,7 @@ TEST_CASE("caches of another replacement policy pass with other hit rates", "[sl
     CHECK_THAT(lockstep.first->unit, Contains("cache"));
 }
 
-TEST_CASE("a wrong, a lost and a repeated answer of tri are named") {
+TEST_CASE("a wrong, a lost and a repeated answer of tri are named", "[long]") {
     for (const Fault fault : {Fault::value, Fault::lost, Fault::twice})
         check_noticed({{"tri", "rsp", fault, 20}, "tri", "tri_rsp"}, small_job());
 }

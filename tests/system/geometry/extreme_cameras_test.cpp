@@ -148,7 +148,7 @@ TEST_CASE("a picture at 140 degrees has the error of one at 40 degrees") {
     }
 }
 
-TEST_CASE("model and RTL agree for wide and narrow cameras") {
+TEST_CASE("model and RTL agree for wide and narrow cameras", "[long]") {
     const double angle = GENERATE(1.0, 110.0, 140.0, 160.0, 175.0);
     const std::string config = GENERATE("default", "small", "narrow", "broad");
     const FrameSize size = angle == 140   ? FrameSize{24, 64}

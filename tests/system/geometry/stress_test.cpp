@@ -164,7 +164,7 @@ TEST_CASE("the study distinguishes a test that meets no demand from one that doe
 }
 
 TEST_CASE("a stress run gives the same counts with any threads, and when it is stopped and gone on with",
-          "[stress]") {
+          "[stress][long]") {
     Plan plan = small_plan({"exact", "moller"}, 1'500'000);
     plan.bits = {14};
     plan.families = {"edges", "t_junction", "quad"};

@@ -141,7 +141,7 @@ TEST_CASE("the RTL of the structures builds", "[.build]") {
     REQUIRE_NOTHROW(build_all(jobs));
 }
 
-TEST_CASE("rays of every family hit the same in every structure", "[structures]") {
+TEST_CASE("rays of every family hit the same in every structure", "[structures][long]") {
     const int bits = GENERATE(12, 18, 20);
     for (const stress::Family& family : stress::families())
         for (std::uint64_t seed = 1; seed <= 3; ++seed) same_hits(family, lattice_of(bits), seed, 200);
@@ -160,7 +160,7 @@ TEST_CASE("rays of every family hit the same in every structure, many rays", "[s
         for (std::uint64_t seed = 11; seed <= 30; ++seed) same_hits(family, lattice_of(bits), seed, 5000);
 }
 
-TEST_CASE("pictures do not depend on the structure", "[structures]") {
+TEST_CASE("pictures do not depend on the structure", "[structures][long]") {
     const std::string scene = GENERATE("tetra:4", "mount:3", "balls:1", "rings:1", "teapot:4", "tree:4",
                                        "cornell"),
                       name = GENERATE("default", "narrow", "broad");

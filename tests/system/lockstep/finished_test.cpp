@@ -71,7 +71,7 @@ TEST_CASE("the RTL of the quick configurations that shade builds", "[.build]") {
     REQUIRE_NOTHROW(build_all(jobs));
 }
 
-TEST_CASE("model and RTL make the same finished pictures in the same cycles") {
+TEST_CASE("model and RTL make the same finished pictures in the same cycles", "[long]") {
     const Finished picture = GENERATE(from_range(pictures));
     const std::string config = GENERATE("default", "narrow");
     INFO(picture.scene << " depth " << picture.settings.depth << " aa " << picture.settings.aa

@@ -121,7 +121,7 @@ TEST_CASE("model and RTL send no refracted ray of instances that is too short", 
     CHECK(result.model.rays.refraction > 5);
 }
 
-TEST_CASE("model and RTL draw planes and true spheres next to instances alike", "[levels]") {
+TEST_CASE("model and RTL draw planes and true spheres next to instances alike", "[levels][long]") {
     check_planes_and_spheres(round_chip_of_a_kd_tree());
 }
 

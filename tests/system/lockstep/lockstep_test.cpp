@@ -62,14 +62,15 @@ TEST_CASE("model and RTL agree on scenes from files") {
     CHECK(found > 0);
 }
 
-TEST_CASE("model and RTL agree for every leaf size") {
+TEST_CASE("model and RTL agree for every leaf size", "[long]") {
     const int leaf = GENERATE(1, 2, 3, 4, 5, 6);   // the image differs, but not the RTL
     for (const std::string& config : quick_configs())
         for (const char* scene : {"teapot:6", "gears:1"})
             check_lockstep(make_shot(scene, {48, 36}, with(quick_config(config), {{"leaf_size", leaf}})).job);
 }
 
-TEST_CASE("model and RTL agree on an ideal memory of three latencies, under eight kinds of traffic") {
+TEST_CASE("model and RTL agree on an ideal memory of three latencies, under eight kinds of traffic",
+          "[long]") {
     const std::string name = GENERATE("default", "small", "narrow", "broad");
     const Traffic traffic =
         GENERATE(Traffic{0, 0, 1}, Traffic{1, 0, 2}, Traffic{30, 0, 3}, Traffic{0, 50, 4}, Traffic{7, 20, 5},
@@ -82,7 +83,7 @@ TEST_CASE("model and RTL agree on an ideal memory of three latencies, under eigh
     check_lockstep(make_shot("gears:1", {32, 24}, config).job, traffic, int(traffic.seed));
 }
 
-TEST_CASE("model and RTL agree on three DRAMs at three clocks, with and without back-pressure") {
+TEST_CASE("model and RTL agree on three DRAMs at three clocks, with and without back-pressure", "[long]") {
     const std::string name = GENERATE("default", "small", "narrow", "broad");
     const DramName dram = GENERATE(DramName::sdr, DramName::ddr3, DramName::rpu);
     const int khz = GENERATE(20000, 66000, 533333);
@@ -144,7 +145,7 @@ TEST_CASE("model and RTL agree while a screen is read from their memory and pixe
     }
 }
 
-TEST_CASE("model and RTL agree over several frames on one machine, whose caches stay warm") {
+TEST_CASE("model and RTL agree over several frames on one machine, whose caches stay warm", "[long]") {
     const Shot shot =
         make_shot("gears:1", {32, 24}, quick_config(GENERATE("default", "small", "narrow", "broad")));
     const Job& job = shot.job;
@@ -188,7 +189,7 @@ TEST_CASE("model and RTL agree over several frames on one machine, whose caches 
     }
 }
 
-TEST_CASE("model and RTL agree for twelve random states of the registers before reset") {
+TEST_CASE("model and RTL agree for twelve random states of the registers before reset", "[long]") {
     const Shot shot =
         make_shot("balls:1", {32, 24}, quick_config(GENERATE("default", "small", "narrow", "broad")));
     for (int seed = 1; seed <= 12; ++seed) check_lockstep(shot.job, {2, 10, std::uint64_t(seed)}, seed);

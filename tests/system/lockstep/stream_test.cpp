@@ -68,7 +68,7 @@ TEST_CASE("model and RTL trace a stream alike, in every cycle", "[stream]") {
     }
 }
 
-TEST_CASE("model and RTL trace a stream alike under back-pressure", "[stream]") {
+TEST_CASE("model and RTL trace a stream alike under back-pressure", "[stream][long]") {
     const Config config = GENERATE(0, 1) == 0 ? streaming_config(quick_config("default")) : narrow_stream();
     const Traffic traffic = GENERATE(Traffic{30, 0, 3}, Traffic{0, 50, 4}, Traffic{100, 90, 6});
     check_lockstep(RandomStream("teapot:6", 500, config, traffic.seed).stream.job, traffic,
@@ -188,7 +188,7 @@ TEST_CASE("hits that are written to the memory take their share of it, alike in 
     CHECK(with.cycles > without.cycles);
 }
 
-TEST_CASE("a chip writes the hits of a stream into memory, alike in model and RTL", "[stream]") {
+TEST_CASE("a chip writes the hits of a stream into memory, alike in model and RTL", "[stream][long]") {
     const Config config = GENERATE(0, 1) == 0
                               ? streaming_config(quick_config("default"), {{"pixel_writes", 1}})
                               : with(narrow_stream(), {{"pixel_writes", 1}, {"dram", int(DramName::sdr)}});
@@ -206,7 +206,7 @@ TEST_CASE("a chip writes the hits of a stream into memory, alike in model and RT
     CHECK(run_elastic(random.stream.job, traffic).agrees());
 }
 
-TEST_CASE("records of hits that are wider take half a line", "[stream]") {
+TEST_CASE("records of hits that are wider take half a line", "[stream][long]") {
     const Config config =
         streaming_config(quick_config("default"), {{"planes", 1}, {"pixel_writes", 1}, {"pipelines", 4}});
     REQUIRE(hits_of_line(config) == 2);

@@ -68,7 +68,7 @@ TEST_CASE("model and RTL agree on a room with textures", "[textures]") {
     check_lockstep(job, {15, 60, 4}, 4);
 }
 
-TEST_CASE("model and RTL agree on a room with textures in every memory", "[textures]") {
+TEST_CASE("model and RTL agree on a room with textures in every memory", "[textures][long]") {
     const std::string chip = GENERATE(from_range(chips));
     INFO(chip);
     for (const char* dram : {"ideal", "sdr_half", "ddr3"}) {

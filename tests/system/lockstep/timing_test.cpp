@@ -77,7 +77,7 @@ TEST_CASE(
             {rng.below(50), rng.below(80), rng.next()});
 }
 
-TEST_CASE("hits do not depend on latency, order of answers or back-pressure: RTL") {
+TEST_CASE("hits do not depend on latency, order of answers or back-pressure: RTL", "[long]") {
     const Shot shot =
         make_shot("gears:1", {32, 24}, quick_config(GENERATE("default", "small", "narrow", "broad")));
     const HitFrame expected = run_rtl(shot.job).hits;

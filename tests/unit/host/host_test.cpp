@@ -58,7 +58,7 @@ public:
         rtl_.clock();
     }
     static std::uint64_t counter(std::uint64_t which) {
-        return (which * 0x9e3779b97f4a7c15u) & ((std::uint64_t(1) << tally_bits) - 1);
+        return (which * 0x9e3779b97f4a7c15u) & ((std::uint64_t(1) << counter_bits) - 1);
     }
     /// From now on these pixels are delivered in each cycle.
     void deliver(unsigned mask) { set("hit_fires", hits = mask); }
@@ -158,7 +158,7 @@ TEST_CASE("registers can be read and written as their list says, and nothing els
         REQUIRE(put.good == writable);
         REQUIRE((got.cycles == 2 && put.cycles == 2));
         if (!is_counter) continue;
-        const std::uint64_t counter = Face::counter(address >> 1 & ((1u << counter_bits) - 1));
+        const std::uint64_t counter = Face::counter(address >> 1 & ((1u << counter_number_bits) - 1));
         REQUIRE(got.value == std::uint32_t(address & 1 ? counter >> 32 : counter));
     }
     REQUIRE(face.starts == 0);

@@ -193,7 +193,8 @@ TEST_CASE("model and RTL of raygen make the same moves in every cycle", "[raygen
                                        [&](Draw& draw) { return random_slot(draw, config); });
 }
 
-TEST_CASE("model and RTL of a fast raygen make the same moves in every cycle", "[raygen][lockstep][fast]") {
+TEST_CASE("model and RTL of a fast raygen make the same moves in every cycle",
+          "[raygen][lockstep][fast][long]") {
     const Config config = format(GENERATE("fast:default", "fast:small", "fast:narrow", "fast:wide",
                                           "fast:sheared:default", "fast:sheared:precise"));
     for (const Pace& pace : paces)
@@ -210,7 +211,7 @@ TEMPLATE_TEST_CASE("raygen that shares steps of its divisions makes a ray every 
 }
 
 TEST_CASE("model and RTL of a raygen that shares steps make the same moves in every cycle",
-          "[raygen][lockstep][interval]") {
+          "[raygen][lockstep][interval][long]") {
     shared_moves(format(GENERATE("rays2:default", "rays8:fast:narrow", "rays4:sheared:default")));
 }
 

@@ -240,7 +240,7 @@ TEST_CASE("the RTL's pass is the model's without units that are not needed, and 
 }
 
 TEST_CASE("the RTL's pass is the model's if it stays in each stage for several cycles",
-          "[pass][lockstep][interval]") {
+          "[pass][lockstep][interval][long]") {
     check("every8:fast:all", 1, 4, 400);   // the configuration with the most registers
 }
 

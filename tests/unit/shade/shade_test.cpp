@@ -95,14 +95,14 @@ TEST_CASE(
 }
 
 TEST_CASE("model and RTL of shade make the same moves with a pass every few cycles",
-          "[shade][lockstep][interval]") {
+          "[shade][lockstep][interval][long]") {
     check("every4:all", 64, 8, 6000);
     check("every4:plain", 64, 64, 6000);
     check("every4:plain", 64, 8, 3000);
     check("every8:fast:all", 64, 64, 6000);
 }
 
-TEST_CASE("model and RTL of shade make the same moves with textures", "[shade][lockstep][textures]") {
+TEST_CASE("model and RTL of shade make the same moves with textures", "[shade][lockstep][textures][long]") {
     check("textured:all", 64, 64, 3000);
     check("textured:all", 8, 4, 3000);
     check("textured:every4:fast:plain", 64, 8, 6000);

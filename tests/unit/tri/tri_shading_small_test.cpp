@@ -169,7 +169,7 @@ TEST_CASE("the integer judge of small spheres agrees with exact fractions", "[an
     }
 }
 
-TEST_CASE("tri is right for every camera ray and sphere of 64 points", "[tri][any][small]") {
+TEST_CASE("tri is right for every camera ray and sphere of 64 points", "[tri][any][small][long]") {
     const Config config = tiny();
     for (const Vec3i& centre : {middle, corner}) {
         const Space space{RayKind::camera, centre};

@@ -137,8 +137,8 @@ void same_moves(const Config& config) {
 
 }   // namespace
 
-TEMPLATE_TEST_CASE("tri of a chip that shades decides exactly and measures within its bound", "[tri][any]",
-                   Model<TriUnit>, Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("tri of a chip that shades decides exactly and measures within its bound",
+                   "[tri][any][long]", Model<TriUnit>, Rtl<TriUnit>) {
     const Config config = any_part(GENERATE(from_range(parts_of<TestType>())));
     for (unsigned seed = 1; seed <= 2; ++seed) against_oracle<TestType>(config, seed, paces[seed % 4], 3000);
 }
@@ -232,15 +232,15 @@ TEST_CASE("model and RTL of tri of a chip that shades make the same moves in eve
     same_moves(any_part(GENERATE(from_range(quick_parts))));
 }
 
-TEMPLATE_TEST_CASE("fast tri of a chip that shades answers after exactly its latency", "[tri][any][fast]",
-                   Model<TriUnit>, Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("fast tri of a chip that shades answers after exactly its latency",
+                   "[tri][any][fast][long]", Model<TriUnit>, Rtl<TriUnit>) {
     const Config config = fast_part(GENERATE(0, 2));
     TestType dut{config};
     check_latency(dut, config, [&](Draw& draw) { return random_any_req(draw, config); });
 }
 
 TEST_CASE("model and RTL of a fast tri of a chip that shades make the same moves in every cycle",
-          "[tri][any][lockstep][fast]") {
+          "[tri][any][lockstep][fast][long]") {
     same_moves(fast_part(GENERATE(0, 2, 8)));
 }
 
@@ -250,7 +250,7 @@ TEST_CASE("model and RTL of tri of a chip that shades make the same moves with e
 }
 
 TEST_CASE("model and RTL of a tri that shades and shares multipliers make the same moves in every cycle",
-          "[tri][any][lockstep][interval]") {
+          "[tri][any][lockstep][interval][long]") {
     same_moves(GENERATE(shared(fast_part(0), 4), shared(any_part(8), 2)));
 }
 

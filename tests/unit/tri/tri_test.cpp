@@ -161,7 +161,7 @@ TEST_CASE("model and RTL of tri make the same moves in every cycle", "[tri][lock
                                     [&](Draw& draw) { return random_tri_req(draw, config); });
 }
 
-TEST_CASE("model and RTL of a fast tri make the same moves in every cycle", "[tri][lockstep][fast]") {
+TEST_CASE("model and RTL of a fast tri make the same moves in every cycle", "[tri][lockstep][fast][long]") {
     const Config config =
         format(GENERATE("fast:default", "fast:small", "fast:narrow", "fast:wide", "fast:sheared:default"));
     for (const Pace& pace : paces)

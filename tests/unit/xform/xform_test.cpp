@@ -129,7 +129,7 @@ const std::vector<std::pair<const char*, int>> shapes{
 
 }   // namespace
 
-TEMPLATE_TEST_CASE("a ray is moved into an instance's space and rounded once", "[xform]", ModelXform,
+TEMPLATE_TEST_CASE("a ray is moved into an instance's space and rounded once", "[xform][long]", ModelXform,
                    RtlXform) {
     const auto [name, interval] = GENERATE(from_range(shapes));
     const Config config = machine(name, interval);
@@ -155,7 +155,7 @@ TEMPLATE_TEST_CASE("a ray is moved into an instance's space and rounded once", "
     }
 }
 
-TEST_CASE("model and RTL of xform do the same in every cycle", "[xform]") {
+TEST_CASE("model and RTL of xform do the same in every cycle", "[xform][long]") {
     const auto [name, interval] = GENERATE(from_range(shapes));
     const Config config = machine(name, interval);
     const int idle = GENERATE(0, 60);

@@ -77,7 +77,8 @@ TEST_CASE("model and RTL of slant make the same moves in every cycle", "[slant][
     check_moves<SlantUnit>(bsp_format(GENERATE("default", "shading:narrow")), {11, 12}, random_slant_case);
 }
 
-TEST_CASE("model and RTL of a fast slant make the same moves in every cycle", "[slant][lockstep][fast]") {
+TEST_CASE("model and RTL of a fast slant make the same moves in every cycle",
+          "[slant][lockstep][fast][long]") {
     check_moves<SlantUnit>(bsp_format("fast:default"), {11}, random_slant_case);
 }
 

@@ -142,7 +142,7 @@ TEST_CASE("model and RTL of box make the same moves in every cycle", "[box][lock
     same_moves(format(GENERATE("default", "small", "narrow", "wide")));
 }
 
-TEST_CASE("model and RTL of a fast box make the same moves in every cycle", "[box][lockstep][fast]") {
+TEST_CASE("model and RTL of a fast box make the same moves in every cycle", "[box][lockstep][fast][long]") {
     same_moves(format(GENERATE("fast:default", "fast:small", "fast:shading:narrow")));
 }
 

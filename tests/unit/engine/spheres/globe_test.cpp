@@ -42,7 +42,7 @@ TEST_CASE("globe is right in every format", "[globe]") {
     }
 }
 
-TEST_CASE("globe is right for every small ray, from everywhere around a globe and in it", "[globe]") {
+TEST_CASE("globe is right for every small ray, from everywhere around a globe and in it", "[globe][long]") {
     Config config = globe_format("default");
     config.coord_bits = config.dir_bits = 12;
     config.node_width = 2;
