@@ -99,6 +99,8 @@ TEST_CASE("a file of rays of another form is refused in a sentence", "[rays]") {
     CHECK(complaint(npy(head_of("'<f8'", "(6,)"), data)).find("and these are 6") != std::string::npos);
     CHECK(complaint(npy(head_of("'<f8'", "(2, 3)"), data)).find("and these are 2 x 3") != std::string::npos);
     CHECK(complaint(npy(head_of("'<f8'", "(2, 6)"), data)).find("needs 96 bytes") != std::string::npos);
+    CHECK(complaint(npy(head_of("'<f8'", "(1, 6)"), data) + "x")
+              .find("needs 48 bytes of data, and 49 follow") != std::string::npos);
     CHECK(complaint(npy(head_of("'<f8'", "(18446744073709551615, 6)"), data)).find("more than 2^64") !=
           std::string::npos);
     CHECK(complaint(npy(head_of("'<f8'", "(1000000000, 6)"), data)).find("needs 48000000000 bytes") !=

@@ -9,12 +9,12 @@ foreach(name IN LISTS names)
       continue()
     endif()
     file(READ ${FOLDER}/${name}/file${place} file)
-    execute_process(COMMAND ${CMAKE_COMMAND} -DOLD=${FOLDER}/${name}/old${place}
-      -DNEW=${FOLDER}/${name}/new${place} -DFROM=${SOURCE}/${file} -DTO=${FOLDER}/${name}/tried
-      -P ${CMAKE_CURRENT_LIST_DIR}/apply.cmake RESULT_VARIABLE result ERROR_VARIABLE error)
-    file(REMOVE ${FOLDER}/${name}/tried)
-    if(NOT result EQUAL 0)
-      string(APPEND lost "${name}: ${error}\n")
+    file(READ ${FOLDER}/${name}/old${place} old)
+    file(READ ${SOURCE}/${file} text)   # apply.cmake has the same condition
+    string(FIND "${text}" "${old}" first)
+    string(FIND "${text}" "${old}" last REVERSE)
+    if(NOT old STREQUAL "" AND (first EQUAL -1 OR NOT first EQUAL last))
+      string(APPEND lost "${name}: ${file}: the text to change must be there exactly once:\n${old}\n")
     endif()
   endforeach()
 endforeach()

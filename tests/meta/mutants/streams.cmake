@@ -13,7 +13,7 @@ mutant(stream_shadow_ray_is_short FILE rtl/unit/raygen/rc_raygen_stream.sv TEST 
   NEW [[s1_q.kind != rc_pkg::RayBounce]])
 mutant(stream_ray_is_a_cycle_early FILE rtl/unit/raygen/rc_raygen_stream.sv TEST system [stream]
   OLD [[.data_i(s1_q), .data_o(end_record)]]
-  NEW [[.data_i(record_i), .data_o(end_record)]])
+  NEW [[.data_i(enable[0] ? record_i : s1_q), .data_o(end_record)]])
 mutant(stream_ray_too_many FILE rtl/unit/sched/rc_sched.sv TEST system [stream]
   OLD [[next_number < frame_i.ray_count]]
   NEW [[next_number <= frame_i.ray_count]])
@@ -86,7 +86,7 @@ mutant(hits_forget_the_last_line FILE rtl/cells/queues/rc_gather.sv TEST system
   NEW [[;]])
 mutant(hits_are_reads FILE rtl/rc_top.sv TEST system "a chip writes the hits*"
   OLD [[{line, is_write, request};]]
-  NEW [[{line, 1'b0, request};]])
+  NEW [[{line, is_write & 1'b0, request};]])
 mutant(hits_end_a_frame_too_early FILE rtl/cells/queues/rc_gather.sv TEST system "a chip writes the hits*"
   OLD [[= full_q && line_ready_i && count_q]]
   NEW [[= full_q && count_q]])

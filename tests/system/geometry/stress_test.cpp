@@ -114,7 +114,7 @@ TEST_CASE("the exact test meets every demand in every hard case, on every lattic
 }
 
 TEST_CASE("controls are noticed, the sheared test is watertight, float and truncated tests are not",
-          "[stress]") {
+          "[stress][long]") {
     std::vector<std::string> names;
     for (const NamedTest& test : named_tests()) names.push_back(test.name);
     const StressResult outcome = run(small_plan(names, 1'000'000));

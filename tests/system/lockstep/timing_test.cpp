@@ -24,7 +24,8 @@ Job reshaped(Job job, const Values& values) {
 
 TEST_CASE(
     "hits do not depend on memory, caches, order of answers, back-pressure, contexts, queues, tiles or "
-    "pipelines: model") {
+    "pipelines: model",
+    "[long]") {
     const std::string scene = GENERATE("teapot:6", "gears:2", "mount:4", "icosphere:3");
     const Shot shot = make_shot(scene, {48, 36}, named_config("default"));
     const HitFrame expected = run_model(shot.job).hits;

@@ -152,7 +152,7 @@ TEST_CASE("a reciprocal brackets the exact one for every direction of 12 bits", 
     }
 }
 
-TEMPLATE_TEST_CASE("raygen fills the bits of a direction, however short the sum is", "[raygen]",
+TEMPLATE_TEST_CASE("raygen fills the bits of a direction, however short the sum is", "[raygen][long]",
                    Model<RaygenUnit>, Rtl<RaygenUnit>) {
     const Config config = format(GENERATE("default", "narrow", "wide"));
     for (int free = 0; free <= max_shift + 2; ++free)
@@ -171,7 +171,7 @@ TEMPLATE_TEST_CASE("raygen fills the bits of a direction, however short the sum 
         }
 }
 
-TEMPLATE_TEST_CASE("raygen answers after exactly its latency", "[raygen]", Model<RaygenUnit>,
+TEMPLATE_TEST_CASE("raygen answers after exactly its latency", "[raygen][long]", Model<RaygenUnit>,
                    Rtl<RaygenUnit>) {
     const Config config = format(GENERATE("default", "narrow", "wide", "sheared:default", "fast:default",
                                           "fast:narrow", "rays2:default", "rays8:fast:default"));
@@ -204,7 +204,7 @@ TEST_CASE("model and RTL of a fast raygen make the same moves in every cycle",
 }
 
 TEMPLATE_TEST_CASE("raygen that shares steps of its divisions makes a ray every few cycles",
-                   "[raygen][interval]", Model<RaygenUnit>, Rtl<RaygenUnit>) {
+                   "[raygen][interval][long]", Model<RaygenUnit>, Rtl<RaygenUnit>) {
     const Config config = format(GENERATE("rays2:default", "rays8:fast:default"));
     TestType dut{config, camera(5, config)};
     check_throughput(dut, config, [&](Draw& draw) { return random_slot(draw, config); });
@@ -223,7 +223,7 @@ TEST_CASE("model and RTL of a raygen that shares steps make the same moves, othe
 }
 
 TEST_CASE("model and RTL of raygen with slopes make the same moves in every cycle",
-          "[raygen][lockstep][sheared]") {
+          "[raygen][lockstep][sheared][long]") {
     const Config config = format(GENERATE("sheared:default", "sheared:narrow", "sheared:precise"));
     check_lockstep<RaygenUnit>(config, Frame{}, paces[0], 1, 100,
                                [&](Draw& draw) { return random_slot(draw, config); });   // d = 0

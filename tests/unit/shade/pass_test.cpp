@@ -254,7 +254,7 @@ TEST_CASE("the RTL's pass is the model's with textures", "[pass][lockstep][textu
 }
 
 TEST_CASE("the RTL's pass is the model's with textures and instances, if it stays for several cycles",
-          "[pass][lockstep][textures][interval]") {
+          "[pass][lockstep][textures][interval][long]") {
     check("textured:every8:fast:levels:all", 1, 4, 800);
 }
 

@@ -106,7 +106,7 @@ TEMPLATE_TEST_CASE("t ends where its bits do", "[tri][any][aimed]", Model<TriUni
     CHECK(falls_short > 5);
 }
 
-TEST_CASE("a discriminant next to a square is not treated as a square", "[tri][any][aimed]") {
+TEST_CASE("a discriminant next to a square is not treated as a square", "[tri][any][aimed][long]") {
     const Config c = any_format("wide");
     // From inside along x: the discriminant is d^2 q, q = 4^B R^2 - y^2 - z^2. The test searches q = 4 k^2 +
     // 1, 2 or 3 with k of 28 bits. Then the root of the kept bits is exactly k, and only the dropped bits

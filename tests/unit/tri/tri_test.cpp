@@ -65,7 +65,7 @@ TEMPLATE_TEST_CASE("tri is exact at the corners of the lattice", "[tri]", Model<
 }
 
 TEST_CASE("model and RTL of the sheared tri are equal at the corners of the lattice",
-          "[tri][lockstep][sheared]") {
+          "[tri][lockstep][sheared][long]") {
     const Config config = format(GENERATE("sheared:default", "sheared:wide"));
     std::vector<TriReq> requests;
     for (int i = 0; i < 1 << 15; i += 3) {   // corners a, b, c, origin and direction
@@ -137,7 +137,7 @@ TEMPLATE_TEST_CASE("tri reports no hit for triangles edge-on, behind the origin,
     }
 }
 
-TEMPLATE_TEST_CASE("tri answers after exactly its latency", "[tri]", Model<TriUnit>, Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("tri answers after exactly its latency", "[tri][long]", Model<TriUnit>, Rtl<TriUnit>) {
     const Config config =
         format(GENERATE("default", "narrow", "wide", "sheared:default", "sheared:wide", "fast:default",
                         "fast:narrow", "fast:sheared:default", "every2:default", "every4:fast:default"));
@@ -145,7 +145,7 @@ TEMPLATE_TEST_CASE("tri answers after exactly its latency", "[tri]", Model<TriUn
     check_latency(dut, config, [&](Draw& draw) { return random_tri_req(draw, config); });
 }
 
-TEMPLATE_TEST_CASE("tri accepts a triangle in every cycle, or every few", "[tri]", Model<TriUnit>,
+TEMPLATE_TEST_CASE("tri accepts a triangle in every cycle, or every few", "[tri][long]", Model<TriUnit>,
                    Rtl<TriUnit>) {
     const Config config = format(GENERATE("default", "wide", "sheared:default", "sheared:wide",
                                           "fast:default", "every2:default", "every4:fast:default"));

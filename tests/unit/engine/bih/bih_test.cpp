@@ -65,7 +65,7 @@ void judge(const BihCase& c, const NodeAnswer& rsp, const Config& config) {
 
 }   // namespace
 
-TEMPLATE_TEST_CASE("bih loses no exit that the ray meets and keeps few others", "[bih]", Model<BihUnit>,
+TEMPLATE_TEST_CASE("bih loses no exit that the ray meets and keeps few others", "[bih][long]", Model<BihUnit>,
                    Rtl<BihUnit>) {
     check_judged<TestType>(bih_format(GENERATE("default", "shading:narrow")), random_case);
 }

@@ -29,8 +29,8 @@ SlantCase one_plane(const Vec3i& normal, int at, const Vec3i& o, const Vec3i& d,
 
 }   // namespace
 
-TEMPLATE_TEST_CASE("slant loses no exit that the ray meets and keeps few others", "[slant]", Model<SlantUnit>,
-                   Rtl<SlantUnit>) {
+TEMPLATE_TEST_CASE("slant loses no exit that the ray meets and keeps few others", "[slant][long]",
+                   Model<SlantUnit>, Rtl<SlantUnit>) {
     check_judged<TestType>(bsp_format(GENERATE("default", "shading:narrow")), random_slant_case);
 }
 
@@ -86,7 +86,8 @@ TEST_CASE("slant is right at both ends of every width", "[slant]") {
     check_answers<SlantUnit>(bsp_format(GENERATE("default", "shading:narrow", "wide")), slant_case_at_ends);
 }
 
-TEST_CASE("model and RTL of slant make the same moves at both ends of every width", "[slant][lockstep]") {
+TEST_CASE("model and RTL of slant make the same moves at both ends of every width",
+          "[slant][lockstep][long]") {
     check_moves_at_ends<SlantUnit>(bsp_format(GENERATE("default", "shading:narrow", "fast:default")),
                                    slant_case_at_ends);
 }

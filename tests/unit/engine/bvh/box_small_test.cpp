@@ -106,7 +106,7 @@ TEST_CASE("model of box is right for every operand at small widths", "[box][smal
 }
 
 TEST_CASE("RTL of box is right for every operand of an axis and of all three at small widths",
-          "[box][small]") {
+          "[box][small][long]") {
     for (const unsigned axis : {1u, 2u, 4u}) good(try_rtl(one_axis, axis), 0.2);
     good(try_rtl(three_axes, 7), 0.2);
 }
@@ -129,7 +129,7 @@ TEST_CASE(
 TEST_CASE(
     "RTL of box is right for every origin between lattice points and every shadow ray of an axis at small "
     "widths",
-    "[box][small][shading]") {
+    "[box][small][shading][long]") {
     for (const std::size_t axis : {0u, 1u, 2u}) {
         good(try_rtl(shading(one_axis, 2), 1u << axis), 0.25);
         good(try_rtl(shading(one_axis, 2), shadow_space(shading(one_axis, 2), axis)), 0.25);

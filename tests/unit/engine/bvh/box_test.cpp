@@ -124,14 +124,15 @@ TEST_CASE("box sees a ray that starts on a face or inside at distance 0", "[box]
                 }
 }
 
-TEMPLATE_TEST_CASE("box answers after exactly its latency", "[box]", Model<BoxUnit>, Rtl<BoxUnit>) {
+TEMPLATE_TEST_CASE("box answers after exactly its latency", "[box][long]", Model<BoxUnit>, Rtl<BoxUnit>) {
     const Config config = format(GENERATE("default", "narrow", "fast:default", "lanes4:default",
                                           "lanes1:default", "lanes2:fast:default", "lanes1:fast:default"));
     TestType dut{config};
     check_latency(dut, config, [&](Draw& draw) { return random_req(draw, config); });
 }
 
-TEMPLATE_TEST_CASE("box accepts a node in every cycle, or every few", "[box]", Model<BoxUnit>, Rtl<BoxUnit>) {
+TEMPLATE_TEST_CASE("box accepts a node in every cycle, or every few", "[box][long]", Model<BoxUnit>,
+                   Rtl<BoxUnit>) {
     const Config config = format(GENERATE("default", "wide", "fast:default", "lanes4:default",
                                           "lanes1:default", "lanes2:fast:default", "lanes1:fast:default"));
     TestType dut{config};

@@ -15,7 +15,7 @@ Config kd_format(const std::string& name) {
 
 }   // namespace
 
-TEMPLATE_TEST_CASE("treelet loses no exit that the ray meets and keeps few others", "[treelet]",
+TEMPLATE_TEST_CASE("treelet loses no exit that the ray meets and keeps few others", "[treelet][long]",
                    Model<TreeletUnit>, Rtl<TreeletUnit>) {
     check_judged<TestType>(kd_format(GENERATE("default", "shading:narrow")), random_treelet_case);
 }
@@ -51,7 +51,8 @@ TEST_CASE("model and RTL of treelet make the same moves in every cycle", "[treel
     check_moves<TreeletUnit>(kd_format(GENERATE("default", "shading:narrow")), {11, 12}, random_treelet_case);
 }
 
-TEST_CASE("model and RTL of a fast treelet make the same moves in every cycle", "[treelet][lockstep][fast]") {
+TEST_CASE("model and RTL of a fast treelet make the same moves in every cycle",
+          "[treelet][lockstep][fast][long]") {
     check_moves<TreeletUnit>(kd_format("fast:default"), {11}, random_treelet_case);
 }
 
