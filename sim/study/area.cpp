@@ -212,10 +212,12 @@ std::string page(const Areas& areas, const std::vector<Speed>& speeds, const std
         "need.\n\nMade by `{}`, which counts or measures every figure.\nConditions: configuration `{}` "
         "except for its optional units; {}.\n\n## With and without\n\n`hits` finds the hits of camera rays "
         "and computes no colours. `stream` finds the hits of rays from memory\n"
-        "([streams](../guide/streams.md)). The other machines make finished pictures: `shading` has no "
+        "([streams](../guide/streams.md)), and `stream, hits in memory` writes its answers there. The other "
+        "machines make finished pictures: `shading` has no "
         "further "
         "unit,\nthe next ones have one more each, and the last has all. \"More\" compares `stream` and "
-        "`shading` with `hits`, and the others with `shading`.\nThe largest ECP5, {}, has {} LUTs and as "
+        "`shading` with `hits`, `stream, hits in memory` with `stream`, and the others with "
+        "`shading`.\nThe largest ECP5, {}, has {} LUTs and as "
         "many flip-flops, "
         "{} multipliers and {} block memories.\n\n",
         command, base, synth::yosys_version().substr(0, synth::yosys_version().find(" (")), largest.name,
@@ -226,9 +228,8 @@ std::string page(const Areas& areas, const std::vector<Speed>& speeds, const std
         text += count_table("unit", unit_rows_of(areas, v, "&emsp;")).markdown();
     }
     text +=
-        "\n## Units that change\n\nCompared with `shading`, and `stream` with `hits`; all other units are "
-        "the "
-        "same.\n";
+        "\n## Units that change\n\nEach machine is compared as above; all other units are the same. The unit "
+        "`hits` is not part of a pipeline, so the first table does not contain it.\n";
     for (std::size_t v = 1; v < areas.variants.size(); ++v) {
         if (v == shading_only) continue;
         text += fmt::format("\n### {}\n\n", areas.variants[v].name) +

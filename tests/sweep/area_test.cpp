@@ -93,18 +93,21 @@ TEST_CASE("any configuration that can shade has a variant for each unit") {
     for (const std::string& name : config_names()) {
         INFO(name);
         const std::vector<Variant> all = variants_of(named_config(name));
-        REQUIRE(all.size() == 10);
+        REQUIRE(all.size() == 11);
         CHECK(!all[0].config.shading);
         CHECK(all[1].config.is_stream());
-        CHECK(all[2].config.has_shade());
-        CHECK(all[1].base + all[2].base == 0);
+        CHECK(!all[1].config.writes_hits());
+        CHECK(all[2].config.writes_hits());
+        CHECK(all[2].base == 1);
+        CHECK(all[3].config.has_shade());
+        CHECK(all[1].base + all[3].base == 0);
         const auto further = [](const Config& c) {
             return c.spheres + c.planes + c.smooth + c.refraction + c.supersampling + c.textures;
         };
-        for (std::size_t v = 0; v < 3; ++v) CHECK(further(all[v].config) == 0);
-        for (std::size_t v = 3; v < 9; ++v) CHECK(further(all[v].config) == 1);
-        CHECK(further(all[9].config) == 6);
-        for (std::size_t v = 3; v < 10; ++v) CHECK(all[v].base == 2);
+        for (std::size_t v = 0; v < 4; ++v) CHECK(further(all[v].config) == 0);
+        for (std::size_t v = 4; v < 10; ++v) CHECK(further(all[v].config) == 1);
+        CHECK(further(all[10].config) == 6);
+        for (std::size_t v = 4; v < 11; ++v) CHECK(all[v].base == 3);
         for (const Variant& v : all) CHECK(v.config.coord_bits == named_config(name).coord_bits);
     }
     Config sheared = named_config("default");

@@ -45,17 +45,21 @@ Config all_units(Config c) {
 Config streaming_alone(Config c) {
     c = shading_alone(c);
     c.source = RaySource::stream;
-    c.scan_out = false;
+    c.scan_out = c.pixel_writes = false;
     if (c.is_board()) c.dram = Config{}.dram;   // the board has a screen
     return c;
 }
 
 std::vector<Variant> variants_of(const Config& base) {
-    std::vector<Variant> all{
-        {"hits", base}, {"stream", streaming_alone(base)}, {"shading", shading_alone(base)}};
-    all[0].config.shading = all[0].config.horizon = false, all[0].config.panes = 0;
+    std::vector<Variant> all{{"hits", base},
+                             {"stream", streaming_alone(base)},
+                             {"stream, hits in memory", streaming_alone(base), stream_alone},
+                             {"shading", shading_alone(base)}};
+    Config& hits = all[hits_alone].config;
+    hits.shading = hits.horizon = false, hits.panes = 0;
+    all[stream_writes].config.pixel_writes = true;
     for (const char* unit : further) {
-        parameter(unit).set(all[0].config, 0);
+        parameter(unit).set(all[hits_alone].config, 0);
         all.push_back({std::string("shading, ") + unit, shading_alone(base), shading_only});
         parameter(unit).set(all.back().config, 1);
     }

@@ -14,12 +14,12 @@ struct Variant {
     std::size_t base = 0;   ///< number of the variant with which this one is compared
 };
 
-/// Returns the variants: hits only, hits of a stream of rays, shading alone, shading with each further unit
-/// alone, and all units. Other parameters are those of `base`. Throws UserError if `base` cannot shade or has
-/// no RTL.
+/// Returns the variants: hits only, hits of a stream of rays, the same written into memory, shading alone,
+/// shading with each further unit alone, and all units. Other parameters are those of `base`. Throws UserError
+/// if `base` cannot shade or has no RTL.
 std::vector<Variant> variants_of(const Config& base);
-/// Places of the first three variants.
-constexpr std::size_t hits_alone = 0, stream_alone = 1, shading_only = 2;
+/// Places of the first variants.
+constexpr std::size_t hits_alone = 0, stream_alone = 1, stream_writes = 2, shading_only = 3;
 
 /// Return the configuration with shading and with no further unit, or with all of them.
 Config shading_alone(Config config);
