@@ -111,7 +111,7 @@ module rc_pipeline (
   logic [rc_pkg::RayBits-1:0] node_next, prim_next;
   rc_pkg::done_t     done_next;
 
-  logic [CauseBits-1:0]     sched_cause, raygen_cause, trav_cause, node_cause, decide_cause;
+  logic [CauseBits-1:0]     sched_cause, raygen_cause, trav_cause, node_cause, node_unit_cause;
   logic [CauseBits-1:0]     list_cause;
   logic [CauseBits-1:0]     prim_cause, tri_cause, surf_cause, shade_cause, xform_cause, mesh_cause;
   logic [CauseBits-1:0]     stream_cause, tex_cause, texels_cause;
@@ -202,7 +202,7 @@ module rc_pipeline (
     assign {node_rsp_valid, node_rsp_ready, node_rsp, node_waits} = '0;
     assign {node_next_fires, node_next} = '0;
     assign {node_miss_valid_o, node_miss_o, node_cause} = '0;
-    assign {decide_cause, mesh_cause, xform_cause, change_fires, change} = '0;
+    assign {node_unit_cause, mesh_cause, xform_cause, change_fires, change} = '0;
 
     logic unused;
     assign unused = ^{node_req_valid, node_req_ready, node_req, node_rsp_valid, node_rsp_ready,
@@ -220,7 +220,7 @@ module rc_pipeline (
       .tested_valid_i(tested_valid), .tested_ready_o(tested_ready), .tested_i(tested),
       .done_valid_o(done_valid), .done_ready_i(done_ready), .done_o(done),
       .done_next_fires_o(done_next_fires), .done_next_o(done_next),
-      .trav_cause_o(trav_cause), .decide_cause_o(decide_cause), .mesh_cause_o(mesh_cause),
+      .trav_cause_o(trav_cause), .node_unit_cause_o(node_unit_cause), .mesh_cause_o(mesh_cause),
       .change_fires_o(change_fires), .change_o(change), .xform_cause_o(xform_cause));
   end
 
@@ -352,15 +352,15 @@ module rc_pipeline (
     end
   end
 
-  // Each unit's cause has its own place. The chip has one or two of the units that decide nodes;
-  // with one, both constants are the same and mesh_cause is 0.
+  // Each unit's cause has its own place. The chip has one or two node units; with
+  // one, both constants are the same and mesh_cause is 0.
   always_comb begin
     causes_o = '0;
     causes_o[rc_pkg::SchedUnit*CauseBits +: CauseBits]     = sched_cause;
     causes_o[rc_pkg::RaygenUnit*CauseBits +: CauseBits]    = raygen_cause;
     causes_o[rc_pkg::TravUnit*CauseBits +: CauseBits]      = trav_cause;
     causes_o[rc_pkg::NodeCacheUnit*CauseBits +: CauseBits] = node_cause;
-    causes_o[rc_pkg::DecideUnit*CauseBits +: CauseBits]    = decide_cause;
+    causes_o[rc_pkg::NodeUnit*CauseBits +: CauseBits]      = node_unit_cause;
     causes_o[rc_pkg::MeshUnit*CauseBits +: CauseBits]      =
         causes_o[rc_pkg::MeshUnit*CauseBits +: CauseBits] | mesh_cause;
     causes_o[rc_pkg::XformUnit*CauseBits +: CauseBits]     = xform_cause;

@@ -357,11 +357,11 @@ package rc_pkg;
     HitsStalledMemory = 3'd2
   } hits_cause_e;
   typedef enum logic [2:0] {
-    DecideBusyWork = 3'd0,
-    DecideStarvedMemory = 3'd1,
-    DecideStarvedTrav = 3'd2,
-    DecideStalledTrav = 3'd3
-  } decide_cause_e;
+    NodeUnitBusyWork = 3'd0,
+    NodeUnitStarvedMemory = 3'd1,
+    NodeUnitStarvedTrav = 3'd2,
+    NodeUnitStalledTrav = 3'd3
+  } node_unit_cause_e;
 
   // Tables of the shade unit's cells: model/fixed/tables.hpp.
   localparam logic [11135:0] InverseRoot = {
@@ -579,7 +579,7 @@ package rc_pkg;
   localparam int unsigned TexCacheUnit = 15;
   localparam int unsigned XformUnit = 16;
   localparam int unsigned StreamUnit = 17;
-  localparam int unsigned DecideUnit = 4;
+  localparam int unsigned NodeUnit = 4;
   localparam int unsigned MeshUnit = 4;
   localparam int unsigned SharedUnits = 4;
   localparam logic [21:0] UnitsThere = {
@@ -1205,6 +1205,38 @@ package rc_pkg;
   } stored_hit_t;
   localparam int unsigned StoredHitW = 90;
 
+  typedef struct packed {
+    logic signed [55:0] num;
+    logic signed [57:0] det;
+    logic [31:0] prim;
+  } tri_tail_t;
+  localparam int unsigned TriTailW = 146;
+
+  // The fields of a ray that a node unit takes, in their three forms.
+
+  typedef struct packed {
+    logic [53:0] o;
+    logic [2:0] neg;
+    logic [50:0] recip;
+    logic [14:0] len;
+  } signs_ray_t;
+  localparam int unsigned SignsRayW = 123;
+
+  typedef struct packed {
+    logic [53:0] o;
+    logic [50:0] recip;
+    logic [14:0] len;
+    logic [59:0] along;
+  } along_ray_t;
+  localparam int unsigned AlongRayW = 180;
+
+  typedef struct packed {
+    logic [53:0] o;
+    logic [53:0] toward;
+    logic [4:0] len;
+  } toward_ray_t;
+  localparam int unsigned TowardRayW = 113;
+
   // Fields of a ray that raygen and xform delay unchanged, and that trav stores for xform.
 
   typedef struct packed {
@@ -1383,14 +1415,14 @@ package rc_pkg;
     logic [5:0] ray;
     logic [122:0] ray_fields;
     logic [500:0] node;
-  } decide_req_t;
-  localparam int unsigned DecideReqW = 630;
+  } node_unit_req_t;
+  localparam int unsigned NodeUnitReqW = 630;
 
   typedef struct packed {
     logic [53:0] o;
     logic [68:0] others;
-  } decide_ray_t;
-  localparam int unsigned DecideRayW = 123;
+  } node_unit_ray_t;
+  localparam int unsigned NodeUnitRayW = 123;
 
   typedef struct packed {
     logic [5:0] ray;
@@ -1413,6 +1445,29 @@ package rc_pkg;
     logic [145:0] best;
   } tri_req_parts_t;
   localparam int unsigned TriReqPartsW = 461;
+
+  // tri's answer, the part of a hit that waits for the divisions, and the primitive's number.
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic closer;
+    logic [203:0] hit;
+  } tri_rsp_parts_t;
+  localparam int unsigned TriRspPartsW = 211;
+
+  typedef struct packed {
+    logic [145:0] tail;
+    logic [23:0] t;
+    logic [16:0] u;
+    logic [16:0] v;
+  } tri_hit_t;
+  localparam int unsigned TriHitW = 204;
+
+  typedef struct packed {
+    logic [31:0] prim;
+    logic any;
+  } tri_number_t;
+  localparam int unsigned TriNumberW = 33;
 
   // A group of siblings on a ray's stack: all except the nearest, which was visited.
 

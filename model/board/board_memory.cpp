@@ -35,7 +35,7 @@ void BoardMemory::start(std::uint32_t width, std::uint32_t height) {
     for (int i = 0; i < start_cycles; ++i) step(nullptr, nullptr, false);
 }
 
-void BoardMemory::clock(const Line* request, const Place* pixel) {
+void BoardMemory::clock(const Line* request, const PixelPlace* pixel) {
     const Sdram& sdram = clients_.sdram();
     const Outcome outcome = sdram.write_beat().valid || sdram.read_beat().valid ? Outcome::busy
                             : !clients_.holds()                                 ? Outcome::starved
@@ -45,7 +45,7 @@ void BoardMemory::clock(const Line* request, const Place* pixel) {
     step(request, pixel, false);
 }
 
-void BoardMemory::step(const Line* request, const Place* pixel, bool flush) {
+void BoardMemory::step(const Line* request, const PixelPlace* pixel, bool flush) {
     if (request) {
         offers_.chip = {true, request->id, request->addr};
         addresses_[request->id] = request->addr;

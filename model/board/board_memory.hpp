@@ -36,7 +36,7 @@ void check_board_clock(const Config& config, int khz);
 /// depend on earlier events. start() brings the model to the frame's cycle 0.
 class BoardMemory {
 public:
-    using Place = PixelWriter::Place;
+    using PixelPlace = PixelWriter::PixelPlace;
 
     /// Cycles from the one in which scan-out takes over a picture to the frame's cycle 0: the bus access of
     /// the register `start`, and the chip's preparation.
@@ -61,7 +61,7 @@ public:
     bool accepts_pixel() const { return colour_.ready(); }
 
     /// One clock edge, with the accepted request and the accepted pixel, or null.
-    void clock(const Line* request, const Place* pixel);
+    void clock(const Line* request, const PixelPlace* pixel);
 
     /// A cycle has data on the bus, a request that waits for its row or its turn, a request that waits for a
     /// refresh, or no request. cycles() counts since the construction, without the cycles of start().
@@ -74,7 +74,7 @@ public:
     const Sdram& sdram() const { return clients_.sdram(); }
 
 private:
-    void step(const Line* request, const Place* pixel, bool flush);
+    void step(const Line* request, const PixelPlace* pixel, bool flush);
     void skip_quiet();
     void offer();
 

@@ -24,19 +24,19 @@ constexpr std::array<std::uint8_t, 3> label_colour(bool found, std::uint32_t pri
 /// a pixel can enter in every cycle and leave in the next one.
 class PixelColour {
 public:
-    using Place = PixelWriter::Place;
+    using PixelPlace = PixelWriter::PixelPlace;
 
     explicit PixelColour(bool shaded) : interval_(shaded ? 3 : 1), latency_(shaded ? 11 : 1) {}
 
     bool ready() const { return !pixels_.full() && now_ >= open_at_; }
     bool valid() const { return !pixels_.empty() && pixels_.front().due <= now_; }
     /// Returns the pixel on offer; requires valid().
-    Place place() const { return pixels_.front().place; }
+    PixelPlace place() const { return pixels_.front().place; }
     /// True if a pixel is inside.
     bool holds() const { return !pixels_.empty(); }
 
     /// One clock edge. `leaves`: the pixel on offer is accepted. `enters`: the accepted pixel, or null.
-    void clock(bool leaves, const Place* enters) {
+    void clock(bool leaves, const PixelPlace* enters) {
         if (leaves) pixels_.pop();
         if (enters) {
             pixels_.push({*enters, now_ + latency_});
@@ -49,7 +49,7 @@ public:
 
 private:
     struct Inside {
-        Place place;
+        PixelPlace place;
         std::uint64_t due = 0;
     };
     std::uint64_t interval_, latency_, now_ = 0, open_at_ = 0;

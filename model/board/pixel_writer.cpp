@@ -7,7 +7,7 @@ namespace rayclock {
 
 bool PixelWriter::empty() const { return input_.empty() && std::ranges::none_of(buffers_, &Buffer::used); }
 
-std::size_t PixelWriter::entered(const Place& pixel) const {
+std::size_t PixelWriter::entered(const PixelPlace& pixel) const {
     for (std::size_t i = 0; i < buffers; ++i)
         if (buffers_[i].open && buffers_[i].block_x == pixel.x / 4 && buffers_[i].block_y == pixel.y / 4)
             return i;
@@ -47,7 +47,7 @@ void PixelWriter::clock(const Inputs& in) {
 
     // The head of the queue enters the buffer that it found a cycle ago.
     if (enters_) {
-        const Place pixel = input_.front();
+        const PixelPlace pixel = input_.front();
         input_.pop();
         Buffer& buffer = buffers_[found_];
         if (!buffer.open) buffer = {true, true, buffer.full, pixel.x / 4, pixel.y / 4, 0, begun_++};

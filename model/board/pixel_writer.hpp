@@ -13,14 +13,14 @@ namespace rayclock {
 /// the rules.
 class PixelWriter {
 public:
-    struct Place {
+    struct PixelPlace {
         std::uint32_t x = 0, y = 0;   ///< pixels
     };
     struct Inputs {
         std::uint32_t base = 0, width = 0;   ///< number of the first line; pixels. Both constant until
                                              ///< empty().
         bool flush = false;
-        std::optional<Place> pixel{};           ///< offered
+        std::optional<PixelPlace> pixel{};      ///< offered
         bool req_ready = false, next = false;   ///< next: a beat of the write is taken
     };
 
@@ -52,14 +52,14 @@ private:
     };
 
     /// Returns the buffer that a pixel enters, or `buffers` if it must wait.
-    std::size_t entered(const Place& pixel) const;
+    std::size_t entered(const PixelPlace& pixel) const;
     /// Returns the buffer to write next, or `buffers` if there is none.
     std::size_t chosen(bool flush) const;
 
     bool waits_ = false;    ///< a pixel has waited for a buffer while no write was under way
     bool enters_ = false;   ///< the head of the queue has found a buffer
     std::size_t found_ = buffers;
-    Ring<Place, 2> input_{2};
+    Ring<PixelPlace, 2> input_{2};
     std::array<Buffer, buffers> buffers_{};
     std::uint64_t begun_ = 0;
     State state_ = State::idle;

@@ -20,7 +20,7 @@ void emit_boxes(const BinaryTree& tree, const std::vector<PrimData>& triangles, 
 void emit_globes(const BinaryTree& tree, const std::vector<PrimData>& prims, const Config& config,
                  const std::string& name, MemoryImage& image);
 
-/// Do the same for space cut by planes (cells/build.hpp, octree/build.hpp), and for a plain list of all
+/// Do the same for space cut by planes (space_cells/build.hpp, octree/build.hpp), and for a plain list of all
 /// primitives, from line 0 on.
 void emit_cells(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
                 MemoryImage& image, const std::function<void()>& report);

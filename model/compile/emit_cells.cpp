@@ -8,14 +8,14 @@ namespace rayclock {
 
 namespace {
 
-using cells::CellPart;
+using space_cells::CellPart;
 
 constexpr std::size_t leaf_most = (1u << count_bits) - 2;   // primitives of an exit
 
 /// Writes a tree of cells.
 template <class Engine> class CellEmitter {
 public:
-    CellEmitter(const cells::Cell& root, const std::vector<PrimData>& prims, const Config& config,
+    CellEmitter(const space_cells::Cell& root, const std::vector<PrimData>& prims, const Config& config,
                 const std::string& name, MemoryImage& image)
         : root_(root), prims_(prims), config_(config), name_(name), image_(image) {}
 
@@ -65,12 +65,12 @@ private:
             if (node.kind[i] == 1) pending_.push_back({exits[i], std::uint32_t(--line), id});
     }
 
-    const cells::Cell& root_;
+    const space_cells::Cell& root_;
     const std::vector<PrimData>& prims_;
     const Config& config_;
     const std::string& name_;
     MemoryImage& image_;
-    cells::Exits<Engine> exits_{leaf_most};
+    space_cells::Exits<Engine> exits_{leaf_most};
     std::vector<Pending> pending_;
     NodeStatistics nodes_written_;
     Words scratch_;
@@ -82,9 +82,9 @@ void emit_cells(const std::vector<PrimData>& prims, const Config& config, const 
                 MemoryImage& image, const std::function<void()>& report) {
     with_engine(config.engine(), [&]<class E>(E) {
         if constexpr (E::has_cells) {
-            cells::Pieces pieces(prims, config);
+            space_cells::Pieces pieces(prims, config);
             pieces.report_to(report);
-            const cells::CellPtr root = E::build(pieces, prims, config);
+            const space_cells::CellPtr root = E::build(pieces, prims, config);
             CellEmitter<E>{*root, prims, config, name, image}.run();
         }
     });

@@ -125,7 +125,7 @@ struct Config {
     static Structure engine_of(Structure s) { return s == Structure::octree ? Structure::kd : s; }
     Structure engine() const { return engine_of(structure); }
     Structure lower_engine() const { return engine_of(lower_structure()); }
-    /// True if one unit decides the nodes of the scene's tree and another those of meshes.
+    /// True if the scene's tree and the meshes have different node units.
     bool has_two_engines() const { return engine() != lower_engine(); }
     /// Returns a configuration with only one level's structure. Functions such as has_boxes(), which are true
     /// if any level has such nodes, then describe this level alone.

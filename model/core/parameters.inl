@@ -64,7 +64,7 @@ POWER(pipelines, rtl, 1, 1, 16, "pipelines", always, "P: pipelines of one machin
 NUMBER(tile_bits, rtl, 4, 0, 6, "bits", always, "pixels are dispatched in squares of 2^k x 2^k, in Morton order; 0: row by row")
 CHOICE(timing, rtl, Timing, relaxed, always, "stages of the RTL: relaxed has few, fast has many and a shorter clock period")
 POWER(raygen_queue, rtl, 16, 2, 256, "answers", always, "result queue of raygen")
-POWER(box_queue, rtl, 16, 2, 256, "answers", tree, "result queue of the unit that tests nodes")
+POWER(box_queue, rtl, 16, 2, 256, "answers", tree, "result queue of the node unit")
 POWER(tri_queue, rtl, 32, 2, 256, "answers", always, "result queue of tri")
 POWER(shade_queue, rtl, 64, 2, 256, "answers", shade, "result queue of shade")
 POWER(cache_queue, rtl, 4, 2, 256, "answers", always, "result queue of a cache")

@@ -140,7 +140,7 @@ struct Ray {
     }
 };
 
-/// A ray starts: it has no hit yet, and its distance to beat is reach_of() its kind. This event is separate
+/// A ray starts: it has no hit yet, and its distance to beat is t_max_of() its kind. This event is separate
 /// from the ray's transfer to trav, which could carry the same ray with a new direction.
 struct Start {
     std::uint32_t ray = 0;

@@ -92,7 +92,7 @@ using LinkPayloads = decltype(std::tuple_cat(std::tuple<>() RAYCLOCK_LINKS(RAYCL
 #undef RAYCLOCK_LINKS
 #undef RAYCLOCK_NODE_LINKS
 
-/// A node unit, which decides the nodes of one structure, and its links.
+/// A node unit, which decides which children of a node a ray meets, and its links.
 struct NodeUnit {
     Unit unit;
     Link req, rsp;
@@ -118,7 +118,7 @@ constexpr bool same_causes(Unit a, Unit b) {
     return true;
 }
 static_assert(std::ranges::all_of(node_units, [](const NodeUnit& u) {
-    return same_causes(u.unit, node_units[0].unit);   // the same wiring drives them: rtl/unit/trav/rc_tree.sv
+    return same_causes(u.unit, node_units[0].unit);   // the same wiring drives them: rtl/engine/rc_tree.sv
 }));
 constexpr bool is_node_request(Link link) {
     for (const NodeUnit& u : node_units)

@@ -7,20 +7,20 @@
 
 namespace rayclock {
 
-Machine::Machine(const Config& config, int khz, Traffic traffic)
+Machine::Machine(const Config& config, int khz, Disturbance disturbance)
     : config_(config),
-      traffic_(traffic),
+      disturbance_(disturbance),
       has_l2_(config.l2_sets > 0),
       dispatch_(config),
       clients_(std::uint32_t(config.clients())),
       client_shift_(config.client_id_bits() - config.client_bits()),
       arbiter_(config.clients() * config.pipelines),
-      memory_(config, khz, traffic),
-      undisturbed_(traffic.none()),
+      memory_(config, khz, disturbance),
+      undisturbed_(disturbance.none()),
       shared_moves_(std::size_t(config.pipelines)),
       fills_(std::size_t(config.pipelines)),
       masks_(std::size_t(config.pipelines)) {
-    for (int p = 0; p < config.pipelines; ++p) pipelines_.emplace_back(config, traffic, p);
+    for (int p = 0; p < config.pipelines; ++p) pipelines_.emplace_back(config, disturbance, p);
     if (has_l2_) l2_.emplace(l2_shape(config));
     if (config.writes_hits()) hits_unit_.emplace(config);
 }
@@ -32,7 +32,7 @@ void Machine::start(const Frame& frame, const Trace& trace, std::vector<Stretch>
     for (Pipeline& pipeline : pipelines_) pipeline.start(frame, trace);
     if (hits_unit_) hits_unit_->start(frame);
     pixels_ = pixels;
-    hits_ = 0;
+    finished_pixels_ = 0;
     moved_at_ = now_;
 }
 
@@ -48,7 +48,7 @@ void Machine::finish_writes() {
 void Machine::reset() {
     dispatch_ = Dispatch(config_);
     pipelines_.clear();
-    for (int p = 0; p < config_.pipelines; ++p) pipelines_.emplace_back(config_, traffic_, p);
+    for (int p = 0; p < config_.pipelines; ++p) pipelines_.emplace_back(config_, disturbance_, p);
     arbiter_ = Arbiter(config_.clients() * config_.pipelines);
     if (has_l2_) l2_.emplace(l2_shape(config_));
     if (hits_unit_) hits_unit_.emplace(config_);
@@ -137,17 +137,17 @@ void Machine::settle_pipelines() {
 }
 
 void Machine::clock_pipelines() {
-    finished_ = 0;
+    finished_now_ = 0;
     if (memory_.draws() && masks_[0].fire >> index(Link::hit) & 1) {
         const Slot& pixel = pipelines_[0].pixel(pipelines_[0].ray_on(Link::hit));
         place_ = {pixel.x, pixel.y};
     }
     for (std::size_t p = 0; p < pipelines_.size(); ++p) {
         if (masks_[p].fire) moved_at_ = now_ + 1;
-        finished_ += std::uint32_t(masks_[p].fire >> index(Link::hit) & 1);
+        finished_now_ += std::uint32_t(masks_[p].fire >> index(Link::hit) & 1);
         pipelines_[p].clock(now_, shared_moves_[p]);
     }
-    if (!hits_unit_) hits_ += finished_;
+    if (!hits_unit_) finished_pixels_ += finished_now_;
 }
 
 void Machine::clock_shared() {
@@ -166,9 +166,10 @@ void Machine::clock_shared() {
     const Memory::Answer request = asked();
     if (hits_unit_) {
         port_.clock(port_valid_, is_write_, fires(Link::mem_req));
-        hits_ += hits_unit_->clock(finished_ > 0, fires(Link::mem_req) && is_write_);
+        finished_pixels_ += hits_unit_->clock(finished_now_ > 0, fires(Link::mem_req) && is_write_);
     }
-    memory_.clock(fires(Link::mem_req) ? &request : nullptr, finished_, finished_ > 0 ? &place_ : nullptr);
+    memory_.clock(fires(Link::mem_req) ? &request : nullptr, finished_now_,
+                  finished_now_ > 0 ? &place_ : nullptr);
     ++now_;
     if (fire_) moved_at_ = now_;
 }
@@ -187,17 +188,17 @@ void Machine::step() {
     const bool still = shared_is_still();
     if (!still) settle_shared();
     bool asleep = true;
-    finished_ = 0;
+    finished_now_ = 0;
     for (std::size_t p = 0; p < pipelines_.size(); ++p) {
-        finished_ += pipelines_[p].step(now_, still ? nothing : shared_moves_[p]);
+        finished_now_ += pipelines_[p].step(now_, still ? nothing : shared_moves_[p]);
         asleep &= pipelines_[p].slept();
     }
-    hits_ += finished_;
+    finished_pixels_ += finished_now_;
     if (still) {
         last_shared_ = (dispatch_.more() ? 2 : 1) | 1 << 2;   // the codes of waiting units
         ++shared_counts_[last_shared_];
         valid_ = fire_ = 0;
-        memory_.clock(nullptr, finished_);
+        memory_.clock(nullptr, finished_now_);
         ++now_;
     } else {
         clock_shared();
@@ -208,23 +209,23 @@ void Machine::step() {
 void Machine::step_in_order(const std::array<int, pipeline_units>& order) {
     settle_shared();
     settle_pipelines();
-    finished_ = 0;
+    finished_now_ = 0;
     for (std::size_t p = pipelines_.size(); p-- > 0;) {
-        finished_ += std::uint32_t(masks_[p].fire >> index(Link::hit) & 1);
+        finished_now_ += std::uint32_t(masks_[p].fire >> index(Link::hit) & 1);
         pipelines_[p].clock_in_order(now_, shared_moves_[p], order);
     }
-    if (!hits_unit_) hits_ += finished_;
+    if (!hits_unit_) finished_pixels_ += finished_now_;
     clock_shared();
 }
 
-void Machine::run(std::uint64_t until, std::uint64_t hits) {
-    const std::uint64_t last = std::min(hits, pixels_);
-    while (hits_ < last && now_ < until) {
+void Machine::run(std::uint64_t until, std::uint64_t pixels) {
+    const std::uint64_t last = std::min(pixels, pixels_);
+    while (finished_pixels_ < last && now_ < until) {
         const std::uint64_t cycles = window(until, last);
         if (cycles > 1) {
             pass_window(cycles);
             if (!looks_idle()) continue;
-            if (hits_ >= last || now_ >= until) break;
+            if (finished_pixels_ >= last || now_ >= until) break;
         }
         leave_windows();
         step();
@@ -242,11 +243,12 @@ bool Machine::looks_idle() const {
 }
 
 /// Returns the number of cycles in which the sides of the pipelines, and the shared units, can run one after
-/// the other. A hit beyond `hits`, a tile or an answer of memory that depends on these cycles ends it.
-std::uint64_t Machine::window(std::uint64_t until, std::uint64_t hits) const {
+/// the other. A hit beyond `pixels`, a tile or an answer of memory that depends on these cycles ends it.
+std::uint64_t Machine::window(std::uint64_t until, std::uint64_t pixels) const {
     if (has_l2_ || hits_unit_ || !undisturbed_) return 1;
     std::uint64_t cycles =
-        std::min({until - now_, (hits - hits_ + pipelines_.size() - 1) / pipelines_.size(), memory_.known()});
+        std::min({until - now_, (pixels - finished_pixels_ + pipelines_.size() - 1) / pipelines_.size(),
+                  memory_.known()});
     for (const Pipeline& pipeline : pipelines_) cycles = std::min(cycles, pipeline.window(dispatch_.more()));
     return cycles;
 }
@@ -261,13 +263,13 @@ void Machine::pass_window(std::uint64_t cycles) {
         const std::uint32_t client = id >> client_shift_;
         fills_[client / clients_][client % clients_].add(cycle, id & ((1u << client_shift_) - 1));
     });
-    const std::uint64_t hits_before = hits_;
+    const std::uint64_t finished_before = finished_pixels_;
     for (std::size_t p = 0; p < pipelines_.size(); ++p) {
-        hits_ += pipelines_[p].run(now_, cycles, fills_[p]);
+        finished_pixels_ += pipelines_[p].run(now_, cycles, fills_[p]);
         moved |= pipelines_[p].looked_up();
     }
-    moved |= hits_ != hits_before;
-    finished_ = 0;
+    moved |= finished_pixels_ != finished_before;
+    finished_now_ = 0;
     for (const std::uint64_t end = now_ + cycles; now_ < end;) {
         // Cycle of the next request. A cache offers it from the cycle after the look-up on.
         std::uint64_t next = end;

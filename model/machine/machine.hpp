@@ -27,8 +27,8 @@ struct Move {
 /// Replays a frame's trace cycle by cycle. It holds numbers of contexts and addresses, not payloads.
 class Machine {
 public:
-    /// `khz`: clock of the chip. `traffic` disturbs memory and sinks, for tests.
-    Machine(const Config& config, int khz, Traffic traffic = {});
+    /// `khz`: clock of the chip. `disturbance` acts on memory and sinks, for tests.
+    Machine(const Config& config, int khz, Disturbance disturbance = {});
 
     /// Starts a frame. The machine must be fresh or done. The caches keep their content. The trace must
     /// outlive the frame.
@@ -58,8 +58,8 @@ public:
     }
     /// Clocks until the frame is done, at most up to cycle `until`. It skips idle times.
     void run(std::uint64_t until) { run(until, pixels_); }
-    /// Does the same, but stops early as soon as `hits` pixels of the frame are finished.
-    void run(std::uint64_t until, std::uint64_t hits);
+    /// Does the same, but stops early as soon as `pixels` pixels of the frame are finished.
+    void run(std::uint64_t until, std::uint64_t pixels);
     /// Puts the lines that a pixel's rays read into the caches, which takes no simulated time. `pipeline` is
     /// taken modulo the number of pipelines.
     void warm(std::uint32_t pipeline, const std::uint32_t* pixel);
@@ -68,9 +68,9 @@ public:
 
     const Config& config() const { return config_; }
     /// With a chip that writes hits, a ray counts when its record is written.
-    bool done() const { return hits_ == pixels_; }
-    std::uint64_t cycle() const { return now_; }   ///< since construction
-    std::uint64_t hits() const { return hits_; }   ///< of the frame
+    bool done() const { return finished_pixels_ == pixels_; }
+    std::uint64_t cycle() const { return now_; }                         ///< since construction
+    std::uint64_t finished_pixels() const { return finished_pixels_; }   ///< of the frame
     /// Returns the number of cycles since the last transfer. After run() it may be off by the latency of the
     /// units: a window counts only hits, look-ups and transfers of the shared units.
     std::uint64_t quiet() const { return now_ - moved_at_; }
@@ -105,7 +105,7 @@ private:
     };
     void settle_shared(bool tiles = true);
     bool shared_is_still() const;
-    std::uint64_t window(std::uint64_t until, std::uint64_t hits) const;
+    std::uint64_t window(std::uint64_t until, std::uint64_t pixels) const;
     void pass_window(std::uint64_t cycles);
     void leave_windows();
     bool looks_idle() const;
@@ -127,7 +127,7 @@ private:
     bool reads() const { return fires(Link::mem_req) & !is_write_; }
 
     Config config_;
-    Traffic traffic_;
+    Disturbance disturbance_;
     bool has_l2_;
     Dispatch dispatch_;
     std::vector<Pipeline> pipelines_;
@@ -153,10 +153,10 @@ private:
     std::uint32_t port_valid_ = 0;   // bit 0: a read is on offer to memory; bit 1: a line of hits
     bool is_write_ = false;          // the line is chosen
 
-    std::uint64_t now_ = 0, moved_at_ = 0, hits_ = 0, pixels_ = 0;
-    std::uint32_t finished_ = 0;      // pixels finished in this cycle
-    Memory::Place place_;             // of the pixel, if the memory draws it
-    std::uint32_t last_shared_ = 0;   // codes of dispatch and memport
+    std::uint64_t now_ = 0, moved_at_ = 0, finished_pixels_ = 0, pixels_ = 0;
+    std::uint32_t finished_now_ = 0;   // pixels finished in this cycle
+    Memory::PixelPlace place_;         // of the pixel, if the memory draws it
+    std::uint32_t last_shared_ = 0;    // codes of dispatch and memport
     CacheOutcome l2_outcome_{};
     std::array<std::uint64_t, 16> shared_counts_{};
     CauseCounts l2_counts_{};

@@ -61,7 +61,7 @@ template <class See> void PayloadReplay::operator()(const Move& m, See&& see) {
     const auto emit_request = [&]<class E>(E) {   // trav -> the node unit
         Walk& w = walk(m);
         emit(E::request(m.id, w.form<E>(), unpack<typename E::Node>(image_.line(w.node()), config_)));
-        w.test_node();
+        w.visit_node();
     };
     const auto answer = [&] {
         emit(walk(m).node_answer());
@@ -82,7 +82,7 @@ template <class See> void PayloadReplay::operator()(const Move& m, See&& see) {
             Walk& w = walk(m);
             emit(XformReq{m.id, w.ray().o, w.ray().d, unpack<Placement>(image_.line(w.node()), config_),
                           w.ray().kind, w.ray().home});
-            w.test_node();
+            w.visit_node();
             return;
         }
         case Link::change: {
@@ -97,7 +97,7 @@ template <class See> void PayloadReplay::operator()(const Move& m, See&& see) {
             RAYCLOCK_ENGINES(RAYCLOCK_CASES, )
 #undef RAYCLOCK_CASES
         case Link::leaves:
-            if (config_.is_list()) walk(m).test_node();
+            if (config_.is_list()) walk(m).visit_node();
             return emit(walk(m).leaves());
         case Link::prim_req: return emit(PrimReq{m.id, walk(m).prim()});
         case Link::tri_req: {

@@ -15,7 +15,7 @@ std::uint64_t longest_window(const Config& config) {
 }
 }   // namespace
 
-Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
+Pipeline::Pipeline(const Config& config, Disturbance disturbance, int number)
     : feed_(feed_of(config)),
       has_instances_(config.has_instances()),
       is_list_(config.is_list()),
@@ -44,9 +44,9 @@ Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
       tex_cache_(tex_cache_shape(config)),
       reads_texels_(std::size_t(config.contexts)),
       // In a chip that writes hits, only the unit hits stalls answers.
-      sink_(config.writes_hits() ? Traffic{} : traffic, number),
+      sink_(config.writes_hits() ? Disturbance{} : disturbance, number),
       rays_(std::size_t(config.contexts)),
-      is_plain_(config.timing == Timing::relaxed && !config.is_list() && traffic.none() &&
+      is_plain_(config.timing == Timing::relaxed && !config.is_list() && disturbance.none() &&
                 config.contexts <= RayRing::most_few && raygen_hold_ + box_hold_ + tri_hold_ == 0 &&
                 node_unit_.never_stalls() && tri_.never_stalls() && prim_cache_.answers_at_once() &&
                 node_cache_.answers_at_once()),

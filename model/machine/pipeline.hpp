@@ -50,7 +50,7 @@ public:
     /// Most cycles of a window.
     static constexpr std::uint64_t max_window = 8;
 
-    Pipeline(const Config& config, Traffic traffic, int number);
+    Pipeline(const Config& config, Disturbance disturbance, int number);
 
     void start(const Frame& frame, const Trace& trace) {
         sched_.start(frame);
@@ -361,7 +361,7 @@ private:
     Sink sink_;
     std::vector<TraceCursor> rays_;
 
-    /// A chip that is not fast, with a tree, few contexts, no test traffic, and units that accept a ray in
+    /// A chip that is not fast, with a tree, few contexts, no disturbance, and units that accept a ray in
     /// every cycle.
     bool is_plain_;
     /// A plain chip is between windows: the answers of prim_cache are already in tri_, and with one level

@@ -67,7 +67,7 @@ enum class UnitPlace : std::uint8_t { pipeline, engine, shared, outside };
     busy("hit"), busy("miss"), busy("merge"), busy("drain"), starved(user), stalled("mshrs"), \
         stalled("conflict"), stalled(reader)
 // The causes of every node unit: all the same, since the same wiring drives them
-// (rtl/unit/trav/rc_tree.sv).
+// (rtl/engine/rc_tree.sv).
 #define RAYCLOCK_NODE_UNIT(UNIT, structure, unit, Engine) \
     UNIT(unit, engine, structure, busy(), starved("memory"), starved("trav"), stalled("trav"))
 #define RAYCLOCK_UNITS(UNIT)                                                                           \

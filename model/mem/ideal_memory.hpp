@@ -1,5 +1,5 @@
 #pragma once
-// The ideal memory, and the traffic that tests add to memory and sinks.
+// The ideal memory, and the disturbance that tests add to memory and sinks.
 #include <algorithm>
 #include <cstdint>
 #include <vector>
@@ -10,9 +10,9 @@
 
 namespace rayclock {
 
-/// Traffic that tests add to the memory port and the sinks, on top of their fixed figures. It is seeded: two
-/// machines that make the same requests in the same cycles see the same traffic.
-struct Traffic {
+/// The disturbance that tests add to the memory port and the sinks, on top of their fixed figures. It is
+/// seeded: two machines that make the same requests in the same cycles see the same disturbance.
+struct Disturbance {
     /// Extra cycles of latency, 0..jitter, drawn per answer, so that answers overtake each other.
     int jitter = 0;
     int stall_percent = 0;   ///< percentage of cycles in which no request is accepted
@@ -77,8 +77,9 @@ private:
 /// random stream.
 class Sink {
 public:
-    Sink(Traffic traffic, int number)
-        : stall_percent_(traffic.stall_percent), rng_(traffic.seed * 16 + 3 + std::uint64_t(number)) {}
+    Sink(Disturbance disturbance, int number)
+        : stall_percent_(disturbance.stall_percent),
+          rng_(disturbance.seed * 16 + 3 + std::uint64_t(number)) {}
     bool ready() const { return ready_ & is_open_; }
     /// Opens or closes it, in addition to the stalls. It is open at first.
     void open(bool is_open) { is_open_ = is_open; }

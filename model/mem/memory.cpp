@@ -1,4 +1,4 @@
-// Arbitrates between chip, picture and host, and applies the tests' traffic.
+// Arbitrates between chip, picture and host, and applies the tests' disturbance.
 #include "model/mem/memory.hpp"
 
 namespace rayclock {
@@ -9,12 +9,12 @@ constexpr MemoryOutcome outcome_of[] = {MemoryOutcome::busy, MemoryOutcome::refr
                                         MemoryOutcome::starved};
 }   // namespace
 
-Memory::Memory(const Config& config, int khz, Traffic traffic)
+Memory::Memory(const Config& config, int khz, Disturbance disturbance)
     : first_screen_id_(1U << config.mem_id_bits()),
       ideal_(config, int(first_screen_id_) + FrameBuffer::ids),
-      traffic_(traffic),
-      rng_(traffic.seed * 16 + 1),
-      disturbed_(!traffic.none()) {
+      disturbance_(disturbance),
+      rng_(disturbance.seed * 16 + 1),
+      disturbed_(!disturbance.none()) {
     if (config.is_board()) {
         board_.emplace(config, khz);
         return;
@@ -53,7 +53,7 @@ Memory::BusUser Memory::take_turn(const Answer* request, Dram::Answer& what) {
     return BusUser::host;
 }
 
-void Memory::clock_awake(const Answer* request, std::uint32_t pixels, const Place* place) {
+void Memory::clock_awake(const Answer* request, std::uint32_t pixels, const PixelPlace* place) {
     if (is_for_screen()) frame_buffer_->answered(coming().id - first_screen_id_);
     Dram::Answer asked;
     const bool had_room = has_room();
@@ -64,7 +64,8 @@ void Memory::clock_awake(const Answer* request, std::uint32_t pixels, const Plac
         if (offer_ >= 0) late_.erase(late_.begin() + offer_);
         if (comes())
             late_.push_back(
-                {coming(), now_ + std::uint64_t(traffic_.jitter > 0 ? rng_.below(traffic_.jitter + 1) : 0)});
+                {coming(),
+                 now_ + std::uint64_t(disturbance_.jitter > 0 ? rng_.below(disturbance_.jitter + 1) : 0)});
     }
     if (board_) {
         const BoardMemory::Line line{asked.id, asked.addr};
@@ -101,7 +102,7 @@ void Memory::disturb() {
     offer_ = -1;
     for (std::size_t i = 0; i < late_.size() && offer_ < 0; ++i)
         if (late_[i].due <= now_) offer_ = int(i);
-    ready_ = traffic_.stall_percent == 0 || rng_.below(100) >= traffic_.stall_percent;
+    ready_ = disturbance_.stall_percent == 0 || rng_.below(100) >= disturbance_.stall_percent;
 }
 
 void Memory::skip(std::uint64_t cycles) {

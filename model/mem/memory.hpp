@@ -47,15 +47,15 @@ struct MemoryStats {
     friend bool operator==(const MemoryStats&, const MemoryStats&) = default;
 };
 
-/// The memory outside the chip, as a configuration names it, with the traffic that a test adds. The same
+/// The memory outside the chip, as a configuration names it, with the disturbance that a test adds. The same
 /// class serves the model and the RTL of the chip. Answers must be accepted; at most one comes per cycle.
 /// With dram=board it also accepts the chip's pixels, and is not always ready for them.
 class Memory {
 public:
-    Memory(const Config& config, int khz, Traffic traffic);
+    Memory(const Config& config, int khz, Disturbance disturbance);
 
     using Answer = IdealMemory::Answer;
-    using Place = BoardMemory::Place;
+    using PixelPlace = BoardMemory::PixelPlace;
 
     /// Prepares a frame with this picture. Call it once before the frame's cycle 0. With dram=board it takes
     /// time that counts neither in outcomes() nor in stats().
@@ -75,7 +75,7 @@ public:
 
     /// One clock edge, with the accepted request (or null) and the number of pixels finished. With draws()
     /// at most one pixel is finished in a cycle, at `place`.
-    void clock(const Answer* request, std::uint32_t pixels = 0, const Place* place = nullptr) {
+    void clock(const Answer* request, std::uint32_t pixels = 0, const PixelPlace* place = nullptr) {
         ++now_;
         if (!request && sleeping_)
             ++skipped_cycles_;
@@ -133,7 +133,7 @@ private:
         if (board_) return {board_->answer().id, board_->answer().addr};
         return ideal_.answer();
     }
-    void clock_awake(const Answer* request, std::uint32_t pixels, const Place* place);
+    void clock_awake(const Answer* request, std::uint32_t pixels, const PixelPlace* place);
     void catch_up();
     /// Returns the ideal memory's outcome in this cycle.
     MemoryOutcome ideal_outcome() const {
@@ -154,7 +154,7 @@ private:
     std::optional<BoardMemory> board_;
     MemoryStats before_frames_;   // the board's counts during start_frame()
     std::optional<FrameBuffer> frame_buffer_;
-    Traffic traffic_;
+    Disturbance disturbance_;
     Rng rng_;
     bool disturbed_, ready_ = true;
     std::uint64_t now_ = 0;
@@ -166,7 +166,7 @@ private:
     std::vector<std::uint32_t> written_;   // lines that the host writes; the last left_ of them remain
     std::size_t left_ = 0;
     std::uint64_t writes_ = 0;          // by the ideal memory
-    std::vector<DelayedAnswer> late_;   // answers that the traffic delays, oldest first
+    std::vector<DelayedAnswer> late_;   // answers that the disturbance delays, oldest first
     int offer_ = -1;                    // the one of these on offer, or -1
 };
 

@@ -54,7 +54,7 @@ struct ExactFromEye : FromEye {
         best.t = (1u << job.config().t_bits()) - 1;
     }
     RAYCLOCK_INLINE void test(std::uint32_t half_line) { record_triangle(job, half_line, from.d, best); }
-    RAYCLOCK_INLINE std::uint32_t t() const { return best.t; }
+    RAYCLOCK_INLINE std::uint32_t t_best() const { return best.t; }
     RAYCLOCK_INLINE Closest closest() const {
         if (!best.found) return {};
         const Config& config = job.config();
@@ -72,13 +72,13 @@ struct ExactFromEye : FromEye {
 struct AnyFromEye : FromEye {
     BestHit hit;
     AnyFromEye(const RecordJob& job_, const Ray& from_)
-        : FromEye(job_, from_), hit({}, reach_of(RayKind::camera, job.config())) {}
+        : FromEye(job_, from_), hit({}, t_max_of(RayKind::camera, job.config())) {}
     void test(std::uint32_t half_line) {
         TriRsp rsp;
         job.test(half_line, from.d, hit.best(), rsp);
         hit.take(rsp);
     }
-    std::uint32_t t() const { return hit.t(); }
+    std::uint32_t t_best() const { return hit.t_best(); }
     RAYCLOCK_INLINE Closest closest() const { return hit.closest(); }
 };
 
@@ -96,7 +96,7 @@ struct FromAnywhere {
           config(config_),
           from(from_),
           ray(slab_ray(box_ray(from), config)),
-          hit({from.ray, from.kind, from.holes}, reach_of(from.kind, config)) {}
+          hit({from.ray, from.kind, from.holes}, t_max_of(from.kind, config)) {}
     RAYCLOCK_INLINE const WideNode& boxes(std::uint32_t line, std::uint32_t* t_near,
                                           std::uint32_t& hits) const {
         const WideNode& node = decoder.node<bvh::Engine>(line);
@@ -108,7 +108,7 @@ struct FromAnywhere {
         any_primitive_test(from, decoder.prim(half_line), hit.best(), config, rsp);
         hit.take(rsp);
     }
-    RAYCLOCK_INLINE std::uint32_t t() const { return hit.t(); }
+    RAYCLOCK_INLINE std::uint32_t t_best() const { return hit.t_best(); }
     RAYCLOCK_INLINE bool stop() const { return hit.stop(); }
     RAYCLOCK_INLINE Closest closest() const { return hit.closest(); }
 };

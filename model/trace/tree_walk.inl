@@ -16,7 +16,7 @@
 /// - `bool is_list()` and `uint32_t next_page(line)`, 0 after the last, if the structure may be a list of all
 ///   primitives; boxes() then returns a page of it;
 /// - `bool enters()`, if there may be instances: true if the last boxes() returned an instance;
-/// - `Time t()`, the distance to beat, and `bool stop()`: the light is blocked.
+/// - `Time t_best()`, the distance to beat, and `bool stop()`: the light is blocked.
 ///
 /// The caller owns way, stack and arrays, so that the rest can stay in registers.
 template <class Policy> class TreeWalk {
@@ -51,7 +51,7 @@ public:
         met_.keys = room_.leaves.data();
         met_.leaves =
             Order::sort(hits_ & ~std::uint32_t(node_->inner_mask), room_.t_near.data(), room_.leaves.data());
-        if (met_.leaves == 0 || policy_.t() < met_.near(0)) return false;
+        if (met_.leaves == 0 || policy_.t_best() < met_.near(0)) return false;
         cursor_.leaf = 0;
         cursor_.enter(met_);
         return true;
@@ -59,7 +59,7 @@ public:
     /// Returns the half line of the primitive to test.
     std::uint32_t prim() const { return cursor_.half_line; }
     /// Advances after a test. Returns true if there is another primitive.
-    RAYCLOCK_INLINE bool advance() { return !policy_.stop() && cursor_.advance(met_, policy_.t()); }
+    RAYCLOCK_INLINE bool advance() { return !policy_.stop() && cursor_.advance(met_, policy_.t_best()); }
     /// Moves to the next node, or to the ray's end. Returns the number of groups dropped on the way.
     RAYCLOCK_INLINE std::uint32_t decide(bool& done) {
         const bool stop = policy_.stop();
@@ -71,10 +71,10 @@ public:
             }
         const std::uint32_t inner =
             stop ? 0 : Order::sort(hits_ & node_->inner_mask, room_.t_near.data(), stack_.place());
-        Decision decision = stack_.decide(policy_.t(), stop, node_->base, inner);
+        Decision decision = stack_.decide(policy_.t_best(), stop, node_->base, inner);
         std::uint32_t dropped = 0;
         for (; decision.action == Decision::Action::again; ++dropped)
-            decision = stack_.decide(policy_.t(), false, 0, 0);
+            decision = stack_.decide(policy_.t_best(), false, 0, 0);
         done = decision.action == Decision::Action::done;
         if (!done) line_ = decision.addr;
         return dropped;

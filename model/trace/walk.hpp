@@ -24,7 +24,7 @@ struct UnitPolicy {
     void start(const Ray& ray_) {
         ray = ray_;
         forms.take(ray, box_ray(ray), config.engine(), config);
-        hit = {{ray.ray, ray.kind, ray.holes}, reach_of(ray.kind, config)};
+        hit = {{ray.ray, ray.kind, ray.holes}, t_max_of(ray.kind, config)};
     }
     /// Returns the ray in the engine's form. `line` selects the space: the scene's or an instance's.
     template <class E> const typename E::RayForm& form_at(std::uint32_t line) const {
@@ -71,7 +71,7 @@ struct UnitPolicy {
             primitive_test(ray.o, ray.d, decoder.prim(half_line), hit.best(), config, tri);
         hit.take(tri, config.has_homes() ? inside.change.here : 0);
     }
-    std::uint32_t t() const { return hit.t(); }
+    std::uint32_t t_best() const { return hit.t_best(); }
     bool stop() const { return hit.stop(); }
 };
 
@@ -92,10 +92,10 @@ public:
 
     std::uint32_t node() const { return steps_.line(); }   ///< the next node, or the one in flight
 
-    /// Decides the next node, and performs trav on the answer; for a list, trav on the next page. Returns
+    /// Visits the next node, and performs trav on the answer; for a list, trav on the next page. Returns
     /// true if list has a triangle to test.
-    bool test_node() { return has_leaves_ = steps_.visit(); }
-    bool has_leaves() const { return has_leaves_; }   ///< result of test_node()
+    bool visit_node() { return has_leaves_ = steps_.visit(); }
+    bool has_leaves() const { return has_leaves_; }   ///< result of visit_node()
     /// Returns that node's children that the ray meets, one bit each.
     std::uint32_t met() const { return steps_.hits(); }
     NodeAnswer node_answer() const {
@@ -112,7 +112,7 @@ public:
     bool advance() { return steps_.advance(); }
 
     /// list -> trav, when no triangle is left.
-    Tested tested() const { return {ray().ray, policy_.stop(), policy_.t()}; }
+    Tested tested() const { return {ray().ray, policy_.stop(), policy_.t_best()}; }
     /// trav: moves to the next node, or the ray's end. Returns the number of groups dropped on the way.
     std::uint32_t decide(bool& done) { return steps_.decide(done); }
     /// Returns the number of groups on the ray's stack.

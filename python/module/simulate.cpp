@@ -43,7 +43,7 @@ py::array hits_array(PyFrame& frame) {
         [](const HitFrame& h) { return reinterpret_cast<const std::uint32_t*>(h.hits.data()); });
 }
 
-Traffic traffic_of(std::uint64_t seed, int jitter, int stall) { return {jitter, stall, seed}; }
+Disturbance disturbance_of(std::uint64_t seed, int jitter, int stall) { return {jitter, stall, seed}; }
 
 PyFrame simulated(const PyScene& scene, const PyConfig& config, const FrameOptions& o,
                   const std::string& clock, std::uint64_t seed, int jitter, int stall, bool is_judged,
@@ -59,7 +59,7 @@ PyFrame simulated(const PyScene& scene, const PyConfig& config, const FrameOptio
         Film film(std::move(request), o.frames, o.view.is_given(), o.size, stop);
         const SimulateInput work{film, o.size, clocks};
         const SimulateSettings how{.tracer = o.tracer,
-                                   .traffic = traffic_of(seed, jitter, stall),
+                                   .disturbance = disturbance_of(seed, jitter, stall),
                                    .seed = seed,
                                    .is_compared = o.is_compared,
                                    .is_judged = is_judged,
@@ -102,16 +102,16 @@ PyStream simulated_stream(const PyScene& scene, const PyConfig& config, const py
     return result_of(
         [=](const Progress& stop) {
             const Stopwatch watch;
-            const Traffic traffic = traffic_of(seed, jitter, stall);
+            const Disturbance disturbance = disturbance_of(seed, jitter, stall);
             PyStream made;
             const StreamInput input = rays.with(scene, config, stop);
             const Config machine = stream_config(config.choice, input.scene(), made.notes);
             const std::vector<int> clocks = clocks_of(clock, machine);
             const StreamJob stream = input.job(machine, stop);
             for (std::string& note : stream_notes(stream)) made.notes.push_back(std::move(note));
-            const StreamResult run = run_stream(stream, clocks, traffic, is_judged, threads, stop);
+            const StreamResult run = run_stream(stream, clocks, disturbance, is_judged, threads, stop);
             const std::vector<std::uint64_t> retired =
-                retirements(machine, clocks[0], run.frame(), traffic, run.runs[0].last().cycles, stop);
+                retirements(machine, clocks[0], run.frame(), disturbance, run.runs[0].last().cycles, stop);
             made.json = simulated_stream_json(stream, run, false, watch.seconds()).dump();
             made.hits = hits_npy(hits_of(stream, run.answers()), retired);
             return made;

@@ -97,7 +97,7 @@ class Config:
     raygen_queue: int
     """Rays in flight, queues and intervals: result queue of raygen."""
     box_queue: int
-    """Rays in flight, queues and intervals: result queue of the unit that tests nodes."""
+    """Rays in flight, queues and intervals: result queue of the node unit."""
     tri_queue: int
     """Rays in flight, queues and intervals: result queue of tri."""
     shade_queue: int

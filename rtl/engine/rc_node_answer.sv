@@ -1,4 +1,4 @@
-// The common end of all units that decide nodes: sorts the children that are met, and queues the
+// The common end of all node units: sorts the children that are met, and queues the
 // answers for trav. Part of every such unit.
 //
 // Stages count like the unit's valid bits. A node's ray, base and kinds come with stage In. The

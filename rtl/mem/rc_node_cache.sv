@@ -10,7 +10,7 @@ module rc_node_cache (
   input  logic               req_valid_i,
   output logic               req_ready_o,
   input  rc_pkg::node_req_t  req_i,
-  // To the unit that decides nodes
+  // To the node unit
   output logic               rsp_valid_o,
   input  logic               rsp_ready_i,
   output rc_pkg::node_rsp_t  rsp_o,

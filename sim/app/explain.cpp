@@ -28,7 +28,7 @@ struct ExplainOptions {
     Finish finish;
     ViewChoice view;
     FramesOptions frames;
-    TrafficOptions traffic;
+    DisturbanceOptions disturbance;
     bool steps = false, no_reference = false, no_judge = false;
     LimitsChoice limits;
     StreamChoice stream;
@@ -54,7 +54,7 @@ void declare_explain(Parser& parser, ExplainOptions& o) {
     judge_option(parser, o.no_judge);
     limits_options(parser, o.limits);
     threads_option(parser, o.threads);
-    traffic_options(parser, o.traffic);
+    disturbance_options(parser, o.disturbance);
     stream_options(parser, o.stream, false);
     parser.option("--ray", o.ray, "with --rays: the number of the ray to follow, from 0");
     parser.option("--report", o.report, "one HTML file: the rays' paths through the tree, and every step");
@@ -82,7 +82,7 @@ void write_explanation(const ExplainOptions& o, const std::string& head, const E
 int run_explain_ray(const ExplainOptions& o) {
     if (!o.ray) throw UserError("--rays needs --ray N, the number of the ray to follow");
     check_clocks(o.clock);
-    const Traffic traffic = traffic_of(o.traffic);
+    const Disturbance disturbance = disturbance_of(o.disturbance);
     o.json.check();
     check_report(o);
     const Progress progress = terminal_progress();
@@ -92,7 +92,7 @@ int run_explain_ray(const ExplainOptions& o) {
         throw UserError(fmt::format("--ray: {} is not a ray of {}, whose rays are 0 to {}", *o.ray,
                                     printable(request.input->rays().name()), rays - 1));
     explain_ray(*request.input, request.config, std::size_t(*o.ray),
-                {traffic, o.clock, false, false, o.threads}, progress,
+                {disturbance, o.clock, false, false, o.threads}, progress,
                 [&](const Explanation& e, const StreamJob& stream) {
                     write_explanation(o, stream_heading(stream) + "\n", e, explained_ray_json(stream, e), "");
                 });
@@ -113,14 +113,14 @@ int run_explain(const ExplainOptions& o) {
     if (o.pixel.empty()) throw UserError("PIXEL is required ('rayclock explain --help' tells more)");
     const FrameSize size = parse_size(o.size);
     const std::size_t pixel = parse_pixel(o.pixel, size);
-    const Traffic traffic = traffic_of(o.traffic);
+    const Disturbance disturbance = disturbance_of(o.disturbance);
     const Limits limits = limits_of(o.limits);
     o.json.check();
     check_report(o);
     const Progress progress = terminal_progress();
-    Film film(request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stopping(progress), o.view),
+    Film film(request_of(o.scene, o.config, o.finish, o.disturbance.seed, size, stopping(progress), o.view),
               o.frames, o.view.is_given(), size, stopping(progress));
-    const ExplainSettings how{traffic, o.clock, !o.no_reference, !o.no_judge, o.threads};
+    const ExplainSettings how{disturbance, o.clock, !o.no_reference, !o.no_judge, o.threads};
     explain_pixel(film, pixel, how, progress,
                   [&](const Explanation& e, const std::vector<FrameError>& error) {
                       write_explanation(o, heading(film.request().scene, size, film.job()) + "\n", e,

@@ -40,7 +40,7 @@ struct SimulateOptions {
     ViewChoice view;
     std::optional<std::string> pixels;   // a part of the picture
     FramesOptions frames;
-    TrafficOptions traffic;
+    DisturbanceOptions disturbance;
     StreamChoice stream;
     SampleChoice sample;
     bool no_reference = false, no_judge = false;
@@ -75,7 +75,7 @@ void declare_simulate(Parser& parser, SimulateOptions& o) {
     judge_option(parser, o.no_judge);
     limits_options(parser, o.limits);
     threads_option(parser, o.threads);
-    traffic_options(parser, o.traffic);
+    disturbance_options(parser, o.disturbance);
     stream_options(parser, o.stream, true);
     sample_options(parser, o.sample);
     parser.option("--report", o.report,
@@ -104,12 +104,12 @@ void print(const SimulateInput& work, const SimulateResult& s, const Limits& lim
 }
 
 /// Repeats the last frame at the first clock under observation.
-FrameCosts watch_frame(const SimulateInput& work, const SimulateResult& s, Traffic traffic, EventSink* sink,
-                       const Progress& progress) {
+FrameCosts watch_frame(const SimulateInput& work, const SimulateResult& s, Disturbance disturbance,
+                       EventSink* sink, const Progress& progress) {
     constexpr std::uint64_t windows = 100;
     const FramesAtClock& run = s.runs[0];
     const std::uint64_t window = (run.last().cycles + windows - 1) / windows;
-    FrameCosts costs = observe(work.request().config, run.khz, s.traces, traffic,
+    FrameCosts costs = observe(work.request().config, run.khz, s.traces, disturbance,
                                std::max<std::uint64_t>(1, window), sink, progress);
     if (!costs.partial && (costs.cycles != run.last().cycles || costs.accounts != run.last().accounts))
         throw std::runtime_error("the watched frame is not the frame that was simulated");
@@ -137,14 +137,14 @@ using Texts = std::vector<std::pair<std::uint32_t, std::string>>;
 
 /// Returns the explanations of the slowest pixels. A second run of the frame records only their events.
 Texts explain_slowest(const SimulateInput& work, const SimulateResult& s, const FrameCosts& costs,
-                      Traffic traffic, const Progress& progress) {
+                      Disturbance disturbance, const Progress& progress) {
     // One pixel of a finished picture may have thousands of rays.
     constexpr std::size_t max_bytes = 4 << 20;
     const Config& config = work.request().config;
     const int khz = s.runs[0].khz;
     const std::vector<std::uint32_t> pixels = slowest_pixels(costs, 100);
     PixelEventRecorder events(pixels);
-    watch_frame(work, s, traffic, &events, progress);
+    watch_frame(work, s, disturbance, &events, progress);
     Texts texts;
     std::size_t bytes = 0;
     for (const std::uint32_t pixel : pixels) {
@@ -201,14 +201,14 @@ int run_simulate_sample(const SimulateOptions& o) {
     ViewChoice view = o.view;
     const FrameSize size = parse_part(o.size, o.pixels, view);
     check_clocks(o.clock);
-    const Traffic traffic = traffic_of(o.traffic);
+    const Disturbance disturbance = disturbance_of(o.disturbance);
     o.json.check();
     const Progress progress = stopping(terminal_progress());
-    Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress, view);
+    Request request = request_of(o.scene, o.config, o.finish, o.disturbance.seed, size, progress, view);
     const std::vector<int> clocks = clocks_of(o.clock, request.config);
     Film film(std::move(request), o.frames, o.view.is_given(), size, progress);
     const SampledFilm sampled =
-        run_sample(film, clocks, o.sample, o.traffic.seed, traffic, o.threads, watch, progress);
+        run_sample(film, clocks, o.sample, o.disturbance.seed, disturbance, o.threads, watch, progress);
     const Config& config = film.job().config;
     if (!o.json.is_alone()) {
         fmt::print(
@@ -238,7 +238,7 @@ int run_simulate(const SimulateOptions& o) {
                                 .clock = o.clock,
                                 .config = o.config,
                                 .stream = o.stream,
-                                .traffic = o.traffic,
+                                .disturbance = o.disturbance,
                                 .no_judge = o.no_judge,
                                 .threads = o.threads,
                                 .json = o.json});
@@ -247,7 +247,7 @@ int run_simulate(const SimulateOptions& o) {
     const FrameSize size = parse_part(o.size, o.pixels, view);
     check_clocks(o.clock);
     const Tracer tracer = parse_machine(o.tracer);
-    const Traffic traffic = traffic_of(o.traffic);
+    const Disturbance disturbance = disturbance_of(o.disturbance);
     const Limits limits = limits_of(o.limits);
     o.json.check();
     if (!o.output.empty()) check_picture_folder(o.output, {"picture.png", "reference.png", "difference.png"});
@@ -257,7 +257,7 @@ int run_simulate(const SimulateOptions& o) {
     }
     const Progress progress = terminal_progress();
     const Progress stop = stopping(progress);
-    Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stop, view);
+    Request request = request_of(o.scene, o.config, o.finish, o.disturbance.seed, size, stop, view);
     const Config config = request.config;
     if (tracer == Tracer::rtl) check_rtl(config);
     const std::vector<int> clocks = clocks_of(o.clock, config);
@@ -265,8 +265,8 @@ int run_simulate(const SimulateOptions& o) {
     if (!o.output.empty() && film.frames() > 1 && film.moves()) check_film_folder(o.output, film.frames());
     const SimulateInput work{film, size, clocks};
     const SimulateSettings how{.tracer = tracer,
-                               .traffic = traffic,
-                               .seed = o.traffic.seed,
+                               .disturbance = disturbance,
+                               .seed = o.disturbance.seed,
                                .is_compared = !o.no_reference,
                                .is_judged = !o.no_judge,
                                .threads = o.threads,
@@ -280,11 +280,11 @@ int run_simulate(const SimulateOptions& o) {
     if (!o.json.is_alone()) print(work, simulated, limits, totals, seconds);
     nlohmann::ordered_json json = simulation_json(how, work, simulated, limits, totals);
     if (!o.report.empty() && !simulated.partial) {
-        const FrameCosts costs = watch_frame(work, simulated, traffic, nullptr, progress);
+        const FrameCosts costs = watch_frame(work, simulated, disturbance, nullptr, progress);
         json["work_by_kind"] = work_by_kind_json(costs);
         if (!costs.partial)
             write_report(o, work, simulated, costs,
-                         explain_slowest(work, simulated, costs, traffic, progress), json, progress);
+                         explain_slowest(work, simulated, costs, disturbance, progress), json, progress);
         if (!o.json.is_alone()) fmt::print("  report: {}\n", printable(o.report));
     }
     if (!o.output.empty() && !simulated.partial) {

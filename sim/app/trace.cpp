@@ -26,7 +26,7 @@ struct TraceOptions {
     Finish finish;
     ViewChoice view;
     FramesOptions frames;
-    TrafficOptions traffic;
+    DisturbanceOptions disturbance;
     int threads = 0;
     JsonOutput json;
 };
@@ -49,7 +49,7 @@ void declare_trace(Parser& parser, TraceOptions& o) {
     config_options(parser, o.config);
     frames_options(parser, o.frames);
     threads_option(parser, o.threads);
-    traffic_options(parser, o.traffic);
+    disturbance_options(parser, o.disturbance);
     json_option(parser, o.json);
 }
 
@@ -102,13 +102,14 @@ int run_trace(const TraceOptions& o) {
     const FrameSize size = parse_size(o.size);
     const TimelineChoice choice = choice_of(o, size);
     const auto writer = timeline_writer(o.output);
-    const Traffic traffic = traffic_of(o.traffic);
+    const Disturbance disturbance = disturbance_of(o.disturbance);
     check_writable(o.output);
     const std::string view = view_of(o.output);
     if (!view.empty()) check_writable(view);
     o.json.check();
     const Progress progress = terminal_progress();
-    Request asked = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stopping(progress), o.view);
+    Request asked =
+        request_of(o.scene, o.config, o.finish, o.disturbance.seed, size, stopping(progress), o.view);
     if (!asked.finished && !choice.purposes[std::size_t(RayPurpose::camera)])
         throw UserError("--rays: this picture has only camera rays; use --depth for a picture with others");
     Film film(std::move(asked), o.frames, o.view.is_given(), size, stopping(progress));
@@ -121,7 +122,7 @@ int run_trace(const TraceOptions& o) {
     const int khz = one_clock_of(o.clock, request.config);
 
     Timeline timeline(request.config, size, choice);
-    const FrameCosts costs = observe(request.config, khz, traces, traffic, 0, &timeline, progress);
+    const FrameCosts costs = observe(request.config, khz, traces, disturbance, 0, &timeline, progress);
     if (interrupted()) throw Interrupted("interrupted: nothing is written");
     if (choice.first >= costs.cycles)
         throw UserError(fmt::format("--cycles: the frame ends after {} cycles, before {} begins",

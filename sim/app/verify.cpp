@@ -46,7 +46,7 @@ struct VerifyOptions {
     ViewChoice view;
     std::optional<std::string> pixels, cycles;   // a part of the picture
     FramesOptions frames;
-    TrafficOptions traffic;
+    DisturbanceOptions disturbance;
     StreamChoice stream;
     LimitsChoice limits;
     ElasticChoice elastic;
@@ -85,7 +85,7 @@ void declare_verify(Parser& parser, VerifyOptions& o) {
                 "simulate the cells of an ECP5 that Yosys makes of the RTL, and not the RTL itself; a chip "
                 "takes some minutes to build, and no waveform is made");
     threads_option(parser, o.threads);
-    traffic_options(parser, o.traffic);
+    disturbance_options(parser, o.disturbance);
     stream_options(parser, o.stream, true);
     json_option(parser, o.json);
 }
@@ -102,11 +102,11 @@ GoldenResult golden_result(const std::string& spec, const Scene& scene, const Co
 
 /// Returns the smallest rectangle with all pixels that are in the chip in these cycles of the film's last
 /// frame. The film draws the whole picture.
-PixelRect pixels_of_cycles(const VerifyOptions& o, Film film, CycleRange range, int khz, Traffic traffic,
-                           const Progress& progress) {
+PixelRect pixels_of_cycles(const VerifyOptions& o, Film film, CycleRange range, int khz,
+                           Disturbance disturbance, const Progress& progress) {
     std::vector<RecordedFrame> traces;
     record_film(film, {.threads = o.threads}, stopping(progress), traces);
-    const FrameCosts costs = observe(film.request().config, khz, traces, traffic, 0, nullptr, progress);
+    const FrameCosts costs = observe(film.request().config, khz, traces, disturbance, 0, nullptr, progress);
     if (costs.partial) throw Interrupted("interrupted: nothing was compared");
     if (range.first >= costs.cycles)
         throw UserError(fmt::format("--cycles: the frame ends after {} cycles, before {} begins",
@@ -174,12 +174,12 @@ struct VerifyResult {
     }
 };
 
-DivergedRun diverged(const VerifyOptions& o, const VerifyPlan& work, Traffic traffic, const VerifyResult& v,
-                     const Divergence& first) {
+DivergedRun diverged(const VerifyOptions& o, const VerifyPlan& work, Disturbance disturbance,
+                     const VerifyResult& v, const Divergence& first) {
     return {.job = v.job,
             .frames = v.traces,
-            .traffic = traffic,
-            .seed = int(o.traffic.seed),
+            .disturbance = disturbance,
+            .seed = int(o.disturbance.seed),
             .first = first,
             .scene = work.request().scene.name,
             .command = command_line(),
@@ -199,7 +199,7 @@ void capture_first(const VerifyOptions& o, const DivergedRun& diverged, VerifyRe
 }
 
 /// Runs the frames on both machines, and renders the reference's picture.
-VerifyResult run_machines(const VerifyOptions& o, const VerifyPlan& work, Traffic traffic,
+VerifyResult run_machines(const VerifyOptions& o, const VerifyPlan& work, Disturbance disturbance,
                           const Stopwatch& watch, const Progress& progress) {
     VerifyResult v;
     v.strip = record_film(work.film, {.threads = o.threads, .folder = o.output, .compares = true},
@@ -211,35 +211,35 @@ VerifyResult run_machines(const VerifyOptions& o, const VerifyPlan& work, Traffi
     });
     v.job = work.job();
     if (o.elastic.is_given()) {
-        v.elastic = run_elastic(v.job, v.traces, parse_free_units(*o.elastic.units, v.job.config), traffic,
-                                progress, int(o.traffic.seed));
+        v.elastic = run_elastic(v.job, v.traces, parse_free_units(*o.elastic.units, v.job.config),
+                                disturbance, progress, int(o.disturbance.seed));
         v.result = as_lockstep(*v.elastic);
         if (v.result.first) {
             v.divergence_seconds = watch.seconds();
-            capture_first(o, diverged(o, work, traffic, v, *v.result.first), v, progress);
+            capture_first(o, diverged(o, work, disturbance, v, *v.result.first), v, progress);
             if (v.show) v.waveform_seconds = watch.seconds();
         }
         v.pictures.reference = reference.get();
         return v;
     }
-    v.result =
-        run_lockstep(v.job, v.traces, traffic, progress, int(o.traffic.seed), [&](const Divergence& first) {
-            v.divergence_seconds = watch.seconds();
-            capture_first(o, diverged(o, work, traffic, v, first), v, progress);
-            if (v.show) v.waveform_seconds = watch.seconds();
-        });
+    v.result = run_lockstep(v.job, v.traces, disturbance, progress, int(o.disturbance.seed),
+                            [&](const Divergence& first) {
+                                v.divergence_seconds = watch.seconds();
+                                capture_first(o, diverged(o, work, disturbance, v, first), v, progress);
+                                if (v.show) v.waveform_seconds = watch.seconds();
+                            });
     v.pictures.reference = reference.get();
     return v;
 }
 
 /// Writes the page of the first divergence. Returns the paths of its files as text.
-std::string show_first_divergence(const VerifyOptions& o, const VerifyPlan& work, Traffic traffic,
+std::string show_first_divergence(const VerifyOptions& o, const VerifyPlan& work, Disturbance disturbance,
                                   VerifyResult& v) {
     if (!v.result.first) return {};
     if (!v.no_show.empty()) return fmt::format("    no waveform: {}\n", printable(v.no_show));
     if (!v.show) return {};
     try {
-        const DivergenceFiles files = v.show->page(diverged(o, work, traffic, v, *v.result.first));
+        const DivergenceFiles files = v.show->page(diverged(o, work, disturbance, v, *v.result.first));
         v.result.first->wave = files.wave;
         return fmt::format("    waveform: gtkwave {}\n{}{}", printable(files.view),
                            files.page.empty() ? "" : fmt::format("    page: {}\n", printable(files.page)),
@@ -355,17 +355,17 @@ void check_options(const VerifyOptions& o) {
         throw UserError(fmt::format("--torture runs in lockstep, so {} has no meaning here",
                                     o.elastic.alone ? "--unit-only" : "--elastic"));
     if (o.elastic.alone)
-        refuse_with_unit_only(o.elastic.is_given()   ? "--elastic"
-                              : o.stream.rays        ? "--rays"
-                              : o.netlist            ? "--netlist"
-                              : !o.output.empty()    ? "--output"
-                              : o.no_wave            ? "--no-wave"
-                              : o.frames.is_given()  ? "an option for several frames"
-                              : o.pixels             ? "--pixels"
-                              : o.cycles             ? "--cycles"
-                              : o.traffic.jitter > 0 ? "--jitter"
-                              : o.traffic.stall > 0  ? "--stall"
-                                                     : nullptr);
+        refuse_with_unit_only(o.elastic.is_given()       ? "--elastic"
+                              : o.stream.rays            ? "--rays"
+                              : o.netlist                ? "--netlist"
+                              : !o.output.empty()        ? "--output"
+                              : o.no_wave                ? "--no-wave"
+                              : o.frames.is_given()      ? "an option for several frames"
+                              : o.pixels                 ? "--pixels"
+                              : o.cycles                 ? "--cycles"
+                              : o.disturbance.jitter > 0 ? "--jitter"
+                              : o.disturbance.stall > 0  ? "--stall"
+                                                         : nullptr);
 }
 
 /// Returns true if a stream of rays takes the place of a camera. Throws UserError if an option was given that
@@ -428,12 +428,12 @@ int verify_frames(VerifyOptions o) {
     ViewChoice view = o.view;
     FrameSize size = parse_part(o.size, o.pixels, view);
     const std::vector<int> clocks = parse_clocks(o.clock);
-    const Traffic traffic = traffic_of(o.traffic);
+    const Disturbance disturbance = disturbance_of(o.disturbance);
     o.json.check();
     const Limits limits = limits_of(o.limits);
     const Progress progress = terminal_progress();
     const Progress stop = stopping(progress);
-    Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stop, view);
+    Request request = request_of(o.scene, o.config, o.finish, o.disturbance.seed, size, stop, view);
     check_rtl(request.config);
     if (o.elastic.is_given())
         parse_free_units(*o.elastic.units, request.config);   // refuses a wrong list early
@@ -442,16 +442,18 @@ int verify_frames(VerifyOptions o) {
     if (o.cycles) {
         Film whole(request, o.frames, o.view.is_given(), size, stop);
         check_folder(o, whole);
-        const PixelRect rect = pixels_of_cycles(o, std::move(whole), cycles, clocks[0], traffic, progress);
+        const PixelRect rect =
+            pixels_of_cycles(o, std::move(whole), cycles, clocks[0], disturbance, progress);
         request.scene.camera->window = PictureWindow{rect.x, rect.y, size.width, size.height};
         size = rect.size;
     }
     Film film(std::move(request), o.frames, o.view.is_given(), size, stop);
-    if (o.elastic.alone) return verify_unit_alone(o.elastic, film, o.threads, int(o.traffic.seed), o.json);
+    if (o.elastic.alone)
+        return verify_unit_alone(o.elastic, film, o.threads, int(o.disturbance.seed), o.json);
     check_folder(o, film);
     const VerifyPlan work{film, size, clocks[0]};
-    VerifyResult verified = run_machines(o, work, traffic, watch, progress);
-    const std::string wave_lines = show_first_divergence(o, work, traffic, verified);
+    VerifyResult verified = run_machines(o, work, disturbance, watch, progress);
+    const std::string wave_lines = show_first_divergence(o, work, disturbance, verified);
     compare_machines(verified, o, work, verified.partial() ? progress : stop);
     if (!o.output.empty()) {
         finish_film(verified.strip, o.json.is_alone());   // on failure all earlier files stay
@@ -470,7 +472,7 @@ int run_verify(const VerifyOptions& typed) {
                               .clock = o.clock,
                               .config = o.config,
                               .stream = o.stream,
-                              .traffic = o.traffic,
+                              .disturbance = o.disturbance,
                               .no_judge = o.no_judge,
                               .threads = o.threads,
                               .json = o.json,

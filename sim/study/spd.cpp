@@ -28,7 +28,7 @@ constexpr std::array<const char*, 4> kind_names{"eye rays that hit", "reflected"
 
 struct PublishedCounts {
     const char* scene;
-    Kinds rays;
+    RaysByKind rays;
 };
 /// Haines 1987, and the README of his package, version 3.14.
 constexpr PublishedCounts published_counts[] = {
@@ -42,7 +42,7 @@ constexpr PublishedCounts published_counts[] = {
     {"tree:11:48", {169836, 0, 0, 1097419}},
 };
 
-Kinds kinds_of(const RayCounts& c) { return {c.primary_hits, c.reflection, c.refraction, c.shadow}; }
+RaysByKind kinds_of(const RayCounts& c) { return {c.primary_hits, c.reflection, c.refraction, c.shadow}; }
 
 /// Returns a camera with one ray through each corner of 512 x 512 pixels, where `spacings` spacings span the
 /// scene's angle. The picture extends half a spacing beyond the 512 on each side. Smaller pictures show the
@@ -59,7 +59,7 @@ double deviation(std::uint64_t a, std::uint64_t b) {
     if (b == 0) return a == 0 ? 0 : HUGE_VAL;
     return double(a) / double(b) - 1;
 }
-double largest(const Kinds& a, const Kinds& b) {
+double largest(const RaysByKind& a, const RaysByKind& b) {
     double most = 0;
     for (std::size_t k = 0; k < a.size(); ++k) most = std::max(most, std::abs(deviation(a[k], b[k])));
     return most;
@@ -76,7 +76,7 @@ std::vector<std::string> row_of(const Counted& c, std::size_t k) {
         row.emplace_back();
     row.push_back(grouped(c.reference[k]));
     row.push_back(grouped(c.model[k]));
-    for (const Kinds* mine : {&c.reference, &c.model})
+    for (const RaysByKind* mine : {&c.reference, &c.model})
         row.push_back(c.published ? signed_per_cent(deviation((*mine)[k], (*c.published)[k])) : "");
     row.push_back(signed_per_cent(deviation(c.model[k], c.reference[k])));
     return row;
@@ -113,7 +113,7 @@ Rules:
 )";
 
 nlohmann::ordered_json json_of(const Counted& c) {
-    const auto rays = [](const Kinds& k) {
+    const auto rays = [](const RaysByKind& k) {
         return nlohmann::ordered_json{
             {"primary_hits", k[0]}, {"reflection", k[1]}, {"refraction", k[2]}, {"shadow", k[3]}};
     };

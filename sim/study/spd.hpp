@@ -18,7 +18,7 @@
 namespace rayclock::spd {
 
 /// Counts of eye rays that hit, reflected rays, refracted rays and shadow rays.
-using Kinds = std::array<std::uint64_t, 4>;
+using RaysByKind = std::array<std::uint64_t, 4>;
 
 /// An octree over the scene as given (sim/judge/reference/octree.hpp), and the work of the reference's rays
 /// in it.
@@ -38,8 +38,8 @@ struct Counted {
     std::string scene;
     std::size_t objects = 0;   ///< as the octrees count objects
     std::vector<Octree> octrees;
-    std::optional<Kinds> published;
-    Kinds reference{}, model{};
+    std::optional<RaysByKind> published;
+    RaysByKind reference{}, model{};
     HavranRays havran;
     std::uint64_t rays = 0;   ///< rays of the model
     double reference_seconds = 0, model_seconds = 0;

@@ -1,4 +1,4 @@
-// The chip with the model of the board's memory: model and RTL in lockstep, also with disturbed traffic.
+// The chip with the model of the board's memory: model and RTL in lockstep, also with a disturbance.
 #include <catch2/catch.hpp>
 
 #include "sim/run/request/request.hpp"
@@ -22,12 +22,14 @@ TEST_CASE("the RTL of the board's chip is built", "[.build]") {
 }
 
 TEST_CASE("model and RTL agree at the board's memory, under every back-pressure", "[chip]") {
-    for (const Traffic traffic : {Traffic{0, 0, 1}, Traffic{20, 0, 2}, Traffic{0, 50, 3}, Traffic{7, 20, 4}})
+    for (const Disturbance disturbance :
+         {Disturbance{0, 0, 1}, Disturbance{20, 0, 2}, Disturbance{0, 50, 3}, Disturbance{7, 20, 4}})
         for (const int khz : {75'000, 62'500, 125'000}) {
-            INFO(khz << " kHz, jitter " << traffic.jitter << ", stall " << traffic.stall_percent << " %");
+            INFO(khz << " kHz, jitter " << disturbance.jitter << ", stall " << disturbance.stall_percent
+                     << " %");
             Job job = make_shot("gears:1", {32, 24}, chip()).job;
             job.khz = khz;
-            check_lockstep(job, traffic);
+            check_lockstep(job, disturbance);
         }
 }
 

@@ -29,7 +29,7 @@ Walked walked(const MemoryImage& image, const Frame& frame, const Config& config
             walk.start({0, x, y});
             for (bool done = false; !done; walk.decide(done), ++all.visits) {
                 all.stack = std::max(all.stack, walk.stack_height());
-                for (bool left = walk.test_node(); left; left = walk.advance(), ++all.tests)
+                for (bool left = walk.visit_node(); left; left = walk.advance(), ++all.tests)
                     walk.test_triangle();
             }
             all.hits += walk.closest().found;

@@ -198,7 +198,7 @@ TEST_CASE("a frame that ends too early is the first divergence") {
     const RecordedFrame frame = record_frame(job, job.frame);
     Machine machine(job.config, job.khz);
     machine.start(frame.frame, frame.trace);
-    while (machine.hits() < frame.trace.rays.size() - 3) machine.step();
+    while (machine.finished_pixels() < frame.trace.rays.size() - 3) machine.step();
     const std::uint64_t ends = machine.cycle();
     const Mutant mutant("host/rc_host.sv", "left_q == 32'(hits);", "left_q == 32'(hits) + 32'd3;");
     const LockstepResult result = run_lockstep(job);
@@ -316,7 +316,7 @@ TEST_CASE("a wrong cycle register is reported in a sentence") {
 
 TEST_CASE("lockstep sees a unit that counts a cycle under a wrong cause", "[long]") {
     const Job job = small_job();
-    const Mutant mutant("unit/trav/rc_node_test.sv", "cause_o = node_waits_i ?", "cause_o = !node_waits_i ?");
+    const Mutant mutant("engine/rc_node_unit.sv", "cause_o = node_waits_i ?", "cause_o = !node_waits_i ?");
     const LockstepResult result = run_lockstep(job);
     CHECK(result.account_mismatches == 1);
     CHECK_FALSE(result.agrees());

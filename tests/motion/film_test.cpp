@@ -73,7 +73,7 @@ TEST_CASE("a frame does not depend on the frames before it", "[motion][film]") {
     Film film = film_of("crowd:2", config, {32, 24}, frames_of(5, 6));
     const Recorded made = recorded(film);
     PlacedScene scene = make_placed("crowd:2");
-    std::vector<Places> times;
+    std::vector<InstancePlaces> times;
     std::vector<glm::dvec3> eyes;
     for (int f = 0; f < 5; ++f) {
         pose(scene, f / 6.0);
@@ -92,7 +92,7 @@ TEST_CASE("a frame does not depend on the frames before it", "[motion][film]") {
 TEST_CASE("the solids around a mesh's corners hold them, whichever way it is turned", "[motion][film]") {
     for (const char* spec : {"clockwork:1", "flight:1", "crowd:1"}) {
         PlacedScene scene = make_placed(spec);
-        const Places places = places_of(scene);
+        const InstancePlaces places = places_of(scene);
         const glm::dvec3 eye = scene.own.camera->eye;
         const auto levels =
             MovingLevels::make(scene, std::span(&places, 1), std::span(&eye, 1), 1, two("default", 2));
@@ -126,7 +126,7 @@ TEST_CASE("the order of instances changes no hit", "[motion][film]") {
     std::vector<std::vector<Closest>> hits;
     for (PlacedScene* one : {&scene, &turned}) {
         pose(*one, 1.3);
-        const Places places = places_of(*one);
+        const InstancePlaces places = places_of(*one);
         const glm::dvec3 eye = one->own.camera->eye;
         const auto levels = MovingLevels::make(*one, std::span(&places, 1), std::span(&eye, 1), 1, config);
         REQUIRE(levels);

@@ -16,7 +16,7 @@ TEST_CASE("lattices serve the places and the eyes of all frames, and not of the 
     for (int i = 0; i < 2; ++i) scene.instances.push_back({"ball", 0, glm::dmat4(1), {}});
     glm::dmat4 far(1), small(0.5);
     far[3] = {40, -3, 7, 1}, small[3] = {-2, 25, 1, 1};
-    const std::vector<Places> times{{glm::dmat4(1), glm::dmat4(1)}, {far, small}, {small, far}};
+    const std::vector<InstancePlaces> times{{glm::dmat4(1), glm::dmat4(1)}, {far, small}, {small, far}};
     const std::vector<glm::dvec3> eyes{{0, 0, 5}, {3, 2, 60}, {-50, 2, 6}};
     const auto levels = MovingLevels::make(scene, times, eyes, 1, config);
     REQUIRE(levels);

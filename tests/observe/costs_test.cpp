@@ -96,8 +96,8 @@ TEST_CASE("a watched frame takes the cycles of one that is not, and what is seen
     for (const Watched& w : watched_machines()) {
         INFO(w.scene << ", case " << (&w - watched_machines().data()));
         const Watching made = watching(w);
-        const FrameTiming timing = replay(made.job.config, 66000, made.traces, w.traffic).back();
-        const FrameCosts costs = observe(made.job.config, 66000, made.traces, w.traffic, 1000, nullptr);
+        const FrameTiming timing = replay(made.job.config, 66000, made.traces, w.disturbance).back();
+        const FrameCosts costs = observe(made.job.config, 66000, made.traces, w.disturbance, 1000, nullptr);
         CHECK(costs.cycles == timing.cycles);
         CHECK(costs.accounts == timing.accounts);
         CHECK(costs.memory == timing.memory);

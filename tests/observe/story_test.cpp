@@ -10,7 +10,7 @@ namespace {
 
 PixelStory story_of(const Watching& made, const Watched& w, std::uint32_t pixel) {
     PixelEvents in_frame(pixel), alone(0);
-    const FrameCosts costs = observe(made.job.config, 66000, made.traces, w.traffic, 0, &in_frame);
+    const FrameCosts costs = observe(made.job.config, 66000, made.traces, w.disturbance, 0, &in_frame);
     observe_alone(made.job.config, 66000, made.traces.back(), pixel, &alone);
     return make_story(made.job, made.traces.back(), costs, in_frame, alone);
 }
@@ -72,7 +72,7 @@ TEST_CASE("a pixel's stays follow each other without a gap and sum to its cycles
 
 TEST_CASE("a pixel that is alone on the chip waits for nobody but the memory") {
     for (const Watched& w : watched_machines()) {
-        if (!w.traffic.none()) continue;
+        if (!w.disturbance.none()) continue;
         const Watching made = watching(w, {1, 1});
         const PixelStory story = story_of(made, w, 0);
         check_story(story);

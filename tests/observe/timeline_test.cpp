@@ -27,7 +27,7 @@ struct Seen {
 };
 Seen seen(const Watching& made, const Watched& w, const TimelineChoice& choice) {
     Timeline timeline(made.job.config, made.job.size, choice);
-    FrameCosts costs = observe(made.job.config, 66000, made.traces, w.traffic, 0, &timeline);
+    FrameCosts costs = observe(made.job.config, 66000, made.traces, w.disturbance, 0, &timeline);
     timeline.finish();
     return {std::move(costs), std::move(timeline)};
 }

@@ -16,7 +16,7 @@ struct Watched {
     const char* scene;
     std::vector<std::pair<const char*, const char*>> values;
     bool finished = false;
-    Traffic traffic{};
+    Disturbance disturbance{};
     int frames = 1;
     std::size_t rays = 0;   ///< random rays in place of a camera; 0: a picture
 };

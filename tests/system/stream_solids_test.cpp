@@ -78,7 +78,7 @@ TEST_CASE("model and RTL trace a stream through spheres and planes alike, and ev
     struct Run {
         const char* scene;
         Values values;
-        Traffic traffic{};
+        Disturbance disturbance{};
     };
     const Run run = GENERATE(Run{"spheres", {}}, Run{"spheres", {}, {60, 40, 3}},
                              Run{"mount:3", {{"structure", int(Structure::kd)}, {"stack_depth", 64}}},
@@ -89,7 +89,7 @@ TEST_CASE("model and RTL trace a stream through spheres and planes alike, and ev
                                   {"timing", int(Timing::fast)}}});
     INFO(run.scene);
     const SolidStream random(native(run.scene), 1200, run.values, 9);
-    const LockstepResult result = check_lockstep(random.stream.job, run.traffic);
+    const LockstepResult result = check_lockstep(random.stream.job, run.disturbance);
     const StreamJudgement judged = judge_stream(random.stream, result.rtl.answers);
     INFO(judged.first);
     CHECK(judged.wrong == 0);

@@ -75,14 +75,18 @@ TEST_CASE("every count in a report is that of the transfers in a trace") {
     for (const TortureCase& torture : torture_cases(GENERATE(from_range(torture_chips())))) {
         const Config& config = torture.job.config;
         const std::vector<RecordedFrame> frames = record_torture(torture);
-        Machine machine(config, torture.job.khz, torture.traffic);
+        Machine machine(config, torture.job.khz, torture.disturbance);
         prepare_frame(machine, 0, std::span(frames));
         std::array<std::uint64_t, link_count> moved{};
         machine.start(frames[0].frame, frames[0].trace);
         while (!machine.done()) machine.step([&](const Move& move) { ++moved[index(move.link)]; });
-        const FrameResult run = frame_result(
-            frames[0],
-            {machine.cycle(), machine.hits(), machine.accounts(), machine.memory().stats(), 0, false, {}});
+        const FrameResult run = frame_result(frames[0], {machine.cycle(),
+                                                         machine.finished_pixels(),
+                                                         machine.accounts(),
+                                                         machine.memory().stats(),
+                                                         0,
+                                                         false,
+                                                         {}});
         const auto count = [&](Link link) { return moved[index(link)]; };
         std::map<std::string, std::uint64_t> brought;   // by unit
         for (std::size_t i = 0; i < link_count; ++i) {

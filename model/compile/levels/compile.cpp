@@ -308,8 +308,8 @@ LevelParts parts_of(const PlacedScene& scene, const SharedMesh& own) {
     return parts;
 }
 
-Places places_of(const PlacedScene& scene) {
-    Places places;
+InstancePlaces places_of(const PlacedScene& scene) {
+    InstancePlaces places;
     if (!scene.own.triangles.empty()) places.emplace_back(1);
     for (const Instance& instance : scene.instances)
         if (!scene.meshes[instance.mesh].triangles.empty()) places.push_back(instance.place);

@@ -43,7 +43,7 @@ SharedMesh own_mesh(const PlacedScene& scene);
 /// meshes are left out.
 LevelParts parts_of(const PlacedScene& scene, const SharedMesh& own);
 /// Returns the current places of its instances.
-Places places_of(const PlacedScene& scene);
+InstancePlaces places_of(const PlacedScene& scene);
 /// Throws UserError if the scene needs a unit that the configuration lacks, is empty, or needs longer
 /// primitive numbers.
 void check_levels(const PlacedScene& scene, const Config& config, const std::string& name);

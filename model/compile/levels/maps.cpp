@@ -48,7 +48,7 @@ bool stretch_alike(const glm::dmat3& one, const glm::dmat3& other) {
 
 class Mapper {
 public:
-    Mapper(const LevelParts& parts, std::span<const Places> times, std::span<const glm::dvec3> eyes,
+    Mapper(const LevelParts& parts, std::span<const InstancePlaces> times, std::span<const glm::dvec3> eyes,
            const Config& config)
         : parts_(parts),
           times_(times),
@@ -57,7 +57,7 @@ public:
           largest_(largest_of(config)),
           is_out_(parts.instances.size()),
           moves_(parts.instances.size()) {
-        for (const Places& places : times)
+        for (const InstancePlaces& places : times)
             for (std::size_t i = 0; i < places.size(); ++i) moves_[i] = moves_[i] || places[i] != times[0][i];
         std::uint64_t corners = 0;
         for (const Instance& instance : parts.instances)
@@ -299,7 +299,7 @@ private:
     }
 
     const LevelParts& parts_;
-    std::span<const Places> times_;
+    std::span<const InstancePlaces> times_;
     std::span<const glm::dvec3> eyes_;
     const Config& config_;
     const double largest_;       // L
@@ -354,14 +354,14 @@ Vec3i snapped_corner(const MeshClass& made, const SharedMesh& mesh, std::uint32_
 }
 
 LevelMaps map_instances(const LevelParts& parts, const glm::dvec3& eye, const Config& config) {
-    Places places;
+    InstancePlaces places;
     for (const Instance& instance : parts.instances) places.push_back(instance.place);
     Mapper mapper(parts, std::span(&places, 1), std::span(&eye, 1), config);
     mapper.run();
     return mapper.take();
 }
 
-std::optional<LevelMaps> map_moving(const LevelParts& parts, std::span<const Places> times,
+std::optional<LevelMaps> map_moving(const LevelParts& parts, std::span<const InstancePlaces> times,
                                     std::span<const glm::dvec3> eyes, const Config& config) {
     Mapper mapper(parts, times, eyes, config);
     if (!mapper.run()) return {};

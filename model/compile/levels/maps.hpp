@@ -94,12 +94,12 @@ constexpr double max_stretch = 32;
 LevelMaps map_instances(const LevelParts& parts, const glm::dvec3& eye, const Config& config);
 
 /// The places of all instances of LevelParts at one time.
-using Places = std::vector<glm::dmat4>;
+using InstancePlaces = std::vector<glm::dmat4>;
 
 /// Returns lattices and classes that serve all times of an animation, given the places and the eye at each.
 /// Boxes are those of the first time. The first eye is a lattice point. The result is empty if a moving
 /// instance would have to be written out.
-std::optional<LevelMaps> map_moving(const LevelParts& parts, std::span<const Places> times,
+std::optional<LevelMaps> map_moving(const LevelParts& parts, std::span<const InstancePlaces> times,
                                     std::span<const glm::dvec3> eyes, const Config& config);
 
 /// Returns the map of an instance of a class at its place at one of these times.

@@ -34,7 +34,8 @@ LevelParts parts_of(const PlacedScene& scene, const SharedMesh& own, const Shape
 
 }   // namespace
 
-std::unique_ptr<MovingLevels> MovingLevels::make(const PlacedScene& scene, std::span<const Places> times,
+std::unique_ptr<MovingLevels> MovingLevels::make(const PlacedScene& scene,
+                                                 std::span<const InstancePlaces> times,
                                                  std::span<const glm::dvec3> eyes, int buffers,
                                                  const Config& given, const ShapeBounds& shapes) {
     const std::string name = name_of(scene);
@@ -53,12 +54,13 @@ std::unique_ptr<MovingLevels> MovingLevels::make(const PlacedScene& scene, std::
 
 /// Returns the room for the scene's tree. A tree of boxes or globes has a bound. For planes, the trees of all
 /// frames are built, and the largest gives the room.
-std::uint32_t MovingLevels::room(const std::vector<UpperEntry>& entries, std::span<const Places> times) {
+std::uint32_t MovingLevels::room(const std::vector<UpperEntry>& entries,
+                                 std::span<const InstancePlaces> times) {
     if (!has_cells(config_)) return max_upper_lines(entries.size());
     std::vector<InstanceMap>& maps = levels_.maps.instances;   // the entries refer to these
     const std::vector<InstanceMap> now = maps;
     std::uint32_t most = 0;
-    for (const Places& places : times) {
+    for (const InstancePlaces& places : times) {
         for (std::size_t i = 0; i < places.size(); ++i)
             maps[i] = map_at(places[i], maps[i].mesh_class, levels_.maps, config_);
         std::vector<std::uint32_t> words;
@@ -68,7 +70,7 @@ std::uint32_t MovingLevels::room(const std::vector<UpperEntry>& entries, std::sp
     return most;
 }
 
-MovingLevels::MovingLevels(const PlacedScene& scene, LevelMaps maps, std::span<const Places> times,
+MovingLevels::MovingLevels(const PlacedScene& scene, LevelMaps maps, std::span<const InstancePlaces> times,
                            int buffers, const Config& config, const ShapeBounds& shapes)
     : config_(config), name_(name_of(scene)), buffers_(buffers) {
     const Stopwatch watch;
@@ -92,13 +94,13 @@ MovingLevels::MovingLevels(const PlacedScene& scene, LevelMaps maps, std::span<c
     std::fill_n(levels_.image.words.begin(), std::size_t(levels_.upper_lines) * words_per_line, 0u);
 }
 
-Upload MovingLevels::next(const Places& places) { return next(places, nullptr, 0); }
+Upload MovingLevels::next(const InstancePlaces& places) { return next(places, nullptr, 0); }
 
 Upload MovingLevels::next(const PlacedScene& scene, double rebuild) {
     return next(places_of(scene), &scene, rebuild);
 }
 
-Upload MovingLevels::next(const Places& places, const PlacedScene* scene, double rebuild) {
+Upload MovingLevels::next(const InstancePlaces& places, const PlacedScene* scene, double rebuild) {
     const Stopwatch watch;
     Upload upload;
     const std::size_t buffer = frame_ % std::size_t(buffers_);

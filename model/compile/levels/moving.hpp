@@ -25,7 +25,7 @@ public:
     /// written out. With deforming meshes it also returns null if their lower structure is not boxes without
     /// splits: only these are refitted. The same holds if planes cut the upper level, since the lines of its
     /// trees are then unknown. Throws UserError as compile_levels() does.
-    static std::unique_ptr<MovingLevels> make(const PlacedScene& scene, std::span<const Places> times,
+    static std::unique_ptr<MovingLevels> make(const PlacedScene& scene, std::span<const InstancePlaces> times,
                                               std::span<const glm::dvec3> eyes, int buffers,
                                               const Config& config, const ShapeBounds& shapes = {});
 
@@ -37,7 +37,7 @@ public:
     const LevelsImage& levels() const { return levels_; }
 
     /// Makes the next frame, and returns what the host writes for it.
-    Upload next(const Places& places);
+    Upload next(const InstancePlaces& places);
     /// Does the same with deforming meshes. `scene` is the scene of make() in its current shape. A lower
     /// structure is refitted, and rebuilt if its cost exceeds `rebuild` times the cost when it was built
     /// (Refit).
@@ -58,19 +58,19 @@ private:
         std::vector<std::uint32_t> held{};   ///< the words before this frame
     };
 
-    MovingLevels(const PlacedScene& scene, LevelMaps maps, std::span<const Places> times, int buffers,
+    MovingLevels(const PlacedScene& scene, LevelMaps maps, std::span<const InstancePlaces> times, int buffers,
                  const Config& config, const ShapeBounds& shapes);
-    std::uint32_t room(const std::vector<UpperEntry>& entries, std::span<const Places> times);
+    std::uint32_t room(const std::vector<UpperEntry>& entries, std::span<const InstancePlaces> times);
     void follow(const PlacedScene& scene, double rebuild, std::size_t buffer, Upload& upload);
     void draw(Follower& follower, const SharedMesh& mesh, const Scene& own, std::size_t buffer);
     void hold(std::size_t buffer);
     void take_region(const Region& region, std::size_t buffer, Upload& upload) const;
-    Upload next(const Places& places, const PlacedScene* scene, double rebuild);
+    Upload next(const InstancePlaces& places, const PlacedScene* scene, double rebuild);
 
     Config config_;
     std::string name_;
     LevelsImage levels_;
-    Places last_;   // places of the current maps
+    InstancePlaces last_;   // places of the current maps
     std::size_t frame_ = 0;
     int buffers_;
     std::uint32_t root_ = 0;

@@ -11,10 +11,11 @@ public:
     CellWriter(UpperLines& lines, UpperTotals& totals) : lines_(lines), totals_(totals) {}
 
     /// Writes a subtree. Returns the number of sibling groups that a ray may have to keep below the node.
-    int write(const cells::CellPart& place, std::uint32_t at, int depth) {
+    int write(const space_cells::CellPart& place, std::uint32_t at, int depth) {
         typename Engine::Node line;
         const int width = lines_.config().node_width;
-        const std::array<cells::CellPart, max_width> exits = cells::Exits<Engine>(1).of(place, width, line);
+        const std::array<space_cells::CellPart, max_width> exits =
+            space_cells::Exits<Engine>(1).of(place, width, line);
         std::uint32_t count = 0;
         for (std::size_t i = 0; i < std::size_t(width); ++i) {
             line.kind[i] = !exits[i].is_empty();   // an instance takes the place of an inner child
@@ -44,13 +45,13 @@ UpperReport write_upper_cells(const std::vector<UpperEntry>& entries, const std:
                               UpperLines& lines, std::uint32_t root, std::vector<PlacedEntry>& placed) {
     Config config = lines.config();
     config.leaf_size = 1;   // for an octree
-    const cells::Pieces pieces(boxes, config);
+    const space_cells::Pieces pieces(boxes, config);
     UpperTotals totals{entries, placed};
     with_engine(config.engine(), [&]<class E>(E) {
         if constexpr (E::has_cells) {
-            const cells::CellPtr cells = E::build(pieces, {}, config);
+            const space_cells::CellPtr cells = E::build(pieces, {}, config);
             CellWriter<E> writer(lines, totals);
-            totals.report.stack_need = writer.write(cells::CellPart(cells.get()), root, 1);
+            totals.report.stack_need = writer.write(space_cells::CellPart(cells.get()), root, 1);
         }
     });
     return totals.report;

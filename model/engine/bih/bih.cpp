@@ -1,7 +1,7 @@
 // The unit bih: pairs of planes, and the exits that a ray meets.
 #include "model/engine/bih/bih.hpp"
 
-#include "model/engine/cells/axis.hpp"
+#include "model/engine/space_cells/axis.hpp"
 
 namespace rayclock {
 

@@ -1,7 +1,7 @@
 #pragma once
 // The unit bih: nodes of pairs of planes.
 #include "model/engine/bih/node.hpp"
-#include "model/engine/cells/decide.hpp"
+#include "model/engine/space_cells/decide.hpp"
 
 namespace rayclock {
 
@@ -15,7 +15,7 @@ WideBih widen(const BihNode& node, int node_width);
 
 /// Returns the position of a ray relative to a pair of planes, conservatively. The half that the ray meets
 /// first ends at one plane, and the other half starts at the other plane. So the bounds of a treelet's plane
-/// (cells/decide.hpp) hold for each of the two.
+/// (space_cells/decide.hpp) hold for each of the two.
 PlaneSides pair_sides(const BoxRay& ray, std::uint32_t axis, std::int32_t lower_to, std::int32_t upper_from,
                       const Config& config);
 

@@ -2,7 +2,7 @@
 #include "model/engine/bih/build.hpp"
 
 #include "model/engine/bvh/build.hpp"
-#include "model/engine/cells/treelets.hpp"
+#include "model/engine/space_cells/treelets.hpp"
 #include "model/layout/tree.hpp"
 
 namespace rayclock::bih {
@@ -11,14 +11,14 @@ namespace {
 
 class Builder {
 public:
-    Builder(const BinaryTree& tree, const cells::Items& items, const Config& config)
+    Builder(const BinaryTree& tree, const space_cells::Items& items, const Config& config)
         : tree_(tree), items_(items), treelets_(config) {}
 
-    cells::CellPtr cell(std::uint32_t at) const {
+    space_cells::CellPtr cell(std::uint32_t at) const {
         const BinaryNode& node = tree_.nodes[at];
-        if (node.is_leaf()) return cells::leaf_of({items_[node.left]});
-        auto cell = std::make_unique<cells::Cell>();
-        cells::CellPtr left = this->cell(node.left), right = this->cell(node.right);
+        if (node.is_leaf()) return space_cells::leaf_of({items_[node.left]});
+        auto cell = std::make_unique<space_cells::Cell>();
+        space_cells::CellPtr left = this->cell(node.left), right = this->cell(node.right);
         cell->bounds = node.box;
         cell->count = left->count + right->count;
         cell->axis = widest_gap(left->bounds, right->bounds);
@@ -43,22 +43,22 @@ private:
     }
 
     const BinaryTree& tree_;
-    const cells::Items& items_;
-    cells::Treelets treelets_;
+    const space_cells::Items& items_;
+    space_cells::Treelets treelets_;
 };
 
 }   // namespace
 
-cells::CellPtr build(const cells::Pieces& pieces, const Config& config) {
-    const cells::Items items = pieces.all();
-    if (items.empty()) return pieces.with_endless(cells::leaf_of(items));
+space_cells::CellPtr build(const space_cells::Pieces& pieces, const Config& config) {
+    const space_cells::Items items = pieces.all();
+    if (items.empty()) return pieces.with_endless(space_cells::leaf_of(items));
     std::vector<LatticeBox> boxes;
     boxes.reserve(items.size());
-    for (const cells::Item& item : items) boxes.push_back(item.box);
+    for (const space_cells::Item& item : items) boxes.push_back(item.box);
     BinaryTree tree = bvh::build_tree(boxes);
     bvh::optimise_tree(tree);
-    cells::CellPtr root = Builder(tree, items, config).cell(tree.root);
-    cells::Treelets(config).settle(*root, pieces.has_endless());
+    space_cells::CellPtr root = Builder(tree, items, config).cell(tree.root);
+    space_cells::Treelets(config).settle(*root, pieces.has_endless());
     return pieces.with_endless(std::move(root));
 }
 

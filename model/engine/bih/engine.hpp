@@ -2,8 +2,8 @@
 // The descriptor of structure=bih.
 #include "model/engine/bih/bih.hpp"
 #include "model/engine/bih/build.hpp"
-#include "model/engine/cells/exits.hpp"
 #include "model/engine/parts.hpp"
+#include "model/engine/space_cells/exits.hpp"
 
 namespace rayclock::bih {
 
@@ -23,15 +23,15 @@ struct Engine : engine::OfBoxRay<BihNode>, engine::OfCells<BihNode, WideBih> {
     static NodeAnswer answer(const Request& request, const Config& config) {
         return bih_answer(request, config);
     }
-    static void put(const cells::Cell& cell, std::size_t plane, BihNode& node) {
+    static void put(const space_cells::Cell& cell, std::size_t plane, BihNode& node) {
         node.axis[plane] = cell.axis;
         if (cell.axis == no_axis) return;
         node.lower_to[plane] = cell.lower->bounds.hi[cell.axis];
         node.upper_from[plane] = cell.upper->bounds.lo[cell.axis];
     }
     static void put_none(std::size_t plane, BihNode& node) { node.axis[plane] = no_axis; }
-    static cells::CellPtr build(const cells::Pieces& pieces, const std::vector<PrimData>&,
-                                const Config& config) {
+    static space_cells::CellPtr build(const space_cells::Pieces& pieces, const std::vector<PrimData>&,
+                                      const Config& config) {
         return bih::build(pieces, config);
     }
 };

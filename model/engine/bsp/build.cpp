@@ -2,16 +2,16 @@
 #include "model/engine/bsp/build.hpp"
 
 #include "model/engine/bsp/facets.hpp"
-#include "model/engine/cells/build.hpp"
+#include "model/engine/space_cells/build.hpp"
 
 namespace rayclock::bsp {
 
-cells::CellPtr build(const cells::Pieces& pieces, const std::vector<PrimData>& prims, const Config& config) {
+space_cells::CellPtr build(const space_cells::Pieces& pieces, const std::vector<PrimData>& prims,
+                           const Config& config) {
     const Facets facets(prims, pieces, config);
-    return cells::build(pieces, config,
-                        [&](const cells::Items& items, const cells::Region& region, cells::Split& best) {
-                            facets.best_split(items, region, best);
-                        });
+    return space_cells::build(pieces, config,
+                              [&](const space_cells::Items& items, const space_cells::Region& region,
+                                  space_cells::Split& best) { facets.best_split(items, region, best); });
 }
 
 }   // namespace rayclock::bsp

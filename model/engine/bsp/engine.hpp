@@ -2,8 +2,8 @@
 // The descriptor of structure=bsp.
 #include "model/engine/bsp/build.hpp"
 #include "model/engine/bsp/slant.hpp"
-#include "model/engine/cells/exits.hpp"
 #include "model/engine/parts.hpp"
+#include "model/engine/space_cells/exits.hpp"
 
 namespace rayclock::bsp {
 
@@ -30,13 +30,13 @@ struct Engine : engine::OfCells<Slant, WideSlant> {
         return slant_exits(form.box, form.along, node, config, t_near);
     }
     static NodeAnswer answer(const Request& request, const Config& config) { return slant(request, config); }
-    static void put(const cells::Cell& cell, std::size_t plane, Slant& slant) {
+    static void put(const space_cells::Cell& cell, std::size_t plane, Slant& slant) {
         for (std::size_t k = 0; k < 3; ++k) slant.normal[3 * plane + k] = cell.normal[k];
         slant.at[plane] = cell.at;
     }
     static void put_none(std::size_t, Slant&) {}
-    static cells::CellPtr build(const cells::Pieces& pieces, const std::vector<PrimData>& prims,
-                                const Config& config) {
+    static space_cells::CellPtr build(const space_cells::Pieces& pieces, const std::vector<PrimData>& prims,
+                                      const Config& config) {
         return bsp::build(pieces, prims, config);
     }
 };

@@ -40,7 +40,7 @@ Vec3i nearest_normal(const glm::dvec3& direction) {
     return best;
 }
 
-Facets::Facets(const std::vector<PrimData>& prims, const cells::Pieces& pieces, const Config& config)
+Facets::Facets(const std::vector<PrimData>& prims, const space_cells::Pieces& pieces, const Config& config)
     : pieces_(pieces), normals_(prims.size()), stops_(config.straddlers == Straddlers::stop) {
     tbb::parallel_for(std::size_t(0), prims.size(),
                       [&](std::size_t i) { normals_[i] = normals_of(prims[i]); });
@@ -57,19 +57,19 @@ Facets::Normals Facets::normals_of(const PrimData& prim) {
     return normals;
 }
 
-void Facets::consider(const cells::Items& items, const Solid& solid, std::uint32_t prim, const Vec3i& normal,
-                      cells::Split& best) const {
+void Facets::consider(const space_cells::Items& items, const Solid& solid, std::uint32_t prim,
+                      const Vec3i& normal, space_cells::Split& best) const {
     const auto own = pieces_.of(prim).reach(normal);
-    std::array<cells::Clipper::Reach, max_items> reaches;
+    std::array<space_cells::Clipper::Reach, max_items> reaches;
     for (std::size_t i = 0; i < items.size(); ++i) reaches[i] = pieces_.reach(items[i], normal);
     consider_at(std::span(reaches).first(items.size()), solid, normal, own.lo, best);
     if (own.hi != own.lo) consider_at(std::span(reaches).first(items.size()), solid, normal, own.hi, best);
 }
 
-void Facets::consider_at(std::span<const cells::Clipper::Reach> reaches, const Solid& solid,
-                         const Vec3i& normal, std::int64_t at, cells::Split& best) const {
+void Facets::consider_at(std::span<const space_cells::Clipper::Reach> reaches, const Solid& solid,
+                         const Vec3i& normal, std::int64_t at, space_cells::Split& best) const {
     std::size_t below = 0, above = 0, flat = 0;
-    for (const cells::Clipper::Reach& reach : reaches) {
+    for (const space_cells::Clipper::Reach& reach : reaches) {
         below += reach.lo < at;
         above += reach.hi > at;
         flat += reach.lo == at && reach.hi == at;
@@ -78,36 +78,37 @@ void Facets::consider_at(std::span<const cells::Clipper::Reach> reaches, const S
     if (stops_ && below + above + flat > all) return;
     // The two parts' surfaces sum to at least the cell's. So this is a lower bound on the cost; if it is too
     // high, skip the exact areas.
-    if (oblique_factor * cells::cost_of(0.5, std::min(below, above), 0.5, std::min(below, above)) >=
+    if (oblique_factor * space_cells::cost_of(0.5, std::min(below, above), 0.5, std::min(below, above)) >=
         best.cost)
         return;
     const Solid::Halves halves = solid.halves(point(normal), double(at));
     const double lower = halves.lower / solid.area(), upper = halves.upper / solid.area();
     for (const bool flat_above : {false, true}) {
         const std::size_t b = below + (flat_above ? 0 : flat), a = above + (flat_above ? flat : 0);
-        const double cost = oblique_factor * cells::cost_of(lower, b, upper, a);
+        const double cost = oblique_factor * space_cells::cost_of(lower, b, upper, a);
         if (cost < best.cost)
             best = {{no_axis, std::int32_t(at), flat_above, normal}, cost, b, a, lower, upper};
         if (flat == 0) break;
     }
 }
 
-void Facets::best_split(const cells::Items& items, const cells::Region& region, cells::Split& best) const {
+void Facets::best_split(const space_cells::Items& items, const space_cells::Region& region,
+                        space_cells::Split& best) const {
     const std::size_t most = stops_ ? items.size() : 2 * items.size();
-    if (items.size() > max_items) return cells::try_axes(items, region.box, most, best);
+    if (items.size() > max_items) return space_cells::try_axes(items, region.box, most, best);
     Solid solid(region.box);
     for (std::size_t i = region.own; i < region.walls.size(); ++i)
         solid.cut(point(region.walls[i].normal), region.walls[i].at, region.walls[i].upper);
-    if (!(solid.area() > 0)) return cells::try_axes(items, region.box, most, best);
-    cells::Split across = best;
+    if (!(solid.area() > 0)) return space_cells::try_axes(items, region.box, most, best);
+    space_cells::Split across = best;
     across.cost = 2 * best.cost;
-    cells::try_axes(items, region.box, most, across);
+    space_cells::try_axes(items, region.box, most, across);
     if (across.is_there()) {   // scored like the other planes
         glm::dvec3 normal(0);
         normal[int(across.axis)] = 1;
         const Solid::Halves halves = solid.halves(normal, across.plane);
-        across.cost = cells::cost_of(halves.lower / solid.area(), across.below, halves.upper / solid.area(),
-                                     across.above);
+        across.cost = space_cells::cost_of(halves.lower / solid.area(), across.below,
+                                           halves.upper / solid.area(), across.above);
         if (across.cost < best.cost) best = across;
     }
     const std::size_t asked = std::min(items.size(), offering);

@@ -1,7 +1,7 @@
 #pragma once
 // The unit slant: nodes with planes in any direction.
 #include "model/engine/bsp/node.hpp"
-#include "model/engine/cells/decide.hpp"
+#include "model/engine/space_cells/decide.hpp"
 
 namespace rayclock {
 

@@ -7,7 +7,7 @@
 #include <tbb/parallel_invoke.h>
 
 #include "model/engine/bvh/divide.hpp"
-#include "model/engine/cells/clip.hpp"
+#include "model/engine/space_cells/clip.hpp"
 
 namespace rayclock::bvh {
 
@@ -216,7 +216,7 @@ private:
         }
     }
 
-    std::vector<cells::Clipper> clippers_;
+    std::vector<space_cells::Clipper> clippers_;
     std::vector<bool> endless_;
     double least_ = 0;   // overlap
 };

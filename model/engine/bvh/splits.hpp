@@ -9,8 +9,8 @@ namespace rayclock::bvh {
 /// root's surface, a plane may cut the cell instead. It tries 15 planes on each axis and needs a lower cost
 /// by the same heuristic (Stich, Friedrich and Dietrich 2009, "Spatial splits in bounding volume
 /// hierarchies"). A primitive that the plane cuts goes to both sides, each time with the box of its own part
-/// (cells/clip.hpp). If it is cheaper, it stays whole in one side. So several leaves may hold one primitive;
-/// BinaryNode::left gives its number.
+/// (space_cells/clip.hpp). If it is cheaper, it stays whole in one side. So several leaves may hold one
+/// primitive; BinaryNode::left gives its number.
 ///
 /// References are bounded. Every primitive brings max_split_references, and a cut distributes them to both
 /// sides in proportion to their items. A cell with too few for a cut is divided as without splits.

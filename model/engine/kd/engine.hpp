@@ -1,10 +1,10 @@
 #pragma once
 // The descriptor of structure=kd and structure=octree.
-#include "model/engine/cells/exits.hpp"
 #include "model/engine/kd/build.hpp"
 #include "model/engine/kd/treelet.hpp"
 #include "model/engine/octree/build.hpp"
 #include "model/engine/parts.hpp"
+#include "model/engine/space_cells/exits.hpp"
 
 namespace rayclock::kd {
 
@@ -24,13 +24,13 @@ struct Engine : engine::OfBoxRay<Treelet>, engine::OfCells<Treelet, WideTreelet>
     static NodeAnswer answer(const Request& request, const Config& config) {
         return treelet(request, config);
     }
-    static void put(const cells::Cell& cell, std::size_t plane, Treelet& treelet) {
+    static void put(const space_cells::Cell& cell, std::size_t plane, Treelet& treelet) {
         treelet.axis[plane] = cell.axis;
         if (cell.axis != no_axis) treelet.at[plane] = cell.at;
     }
     static void put_none(std::size_t plane, Treelet& treelet) { treelet.axis[plane] = no_axis; }
-    static cells::CellPtr build(const cells::Pieces& pieces, const std::vector<PrimData>&,
-                                const Config& config) {
+    static space_cells::CellPtr build(const space_cells::Pieces& pieces, const std::vector<PrimData>&,
+                                      const Config& config) {
         return config.is_octree() ? octree::build(pieces, config) : kd::build(pieces, config);
     }
 };

@@ -1,7 +1,7 @@
 #pragma once
 // The unit treelet: nodes of planes across the axes.
-#include "model/engine/cells/decide.hpp"
 #include "model/engine/kd/node.hpp"
+#include "model/engine/space_cells/decide.hpp"
 
 namespace rayclock {
 

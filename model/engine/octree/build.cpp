@@ -9,10 +9,10 @@ namespace rayclock::octree {
 
 namespace {
 
-using cells::Cell;
-using cells::CellPtr;
-using cells::Cut;
-using cells::Items;
+using space_cells::Cell;
+using space_cells::CellPtr;
+using space_cells::Cut;
+using space_cells::Items;
 
 constexpr std::size_t parallel = 4096;   // items from which octants are built at once
 
@@ -31,7 +31,7 @@ Cut middle(const LatticeBox& box, std::size_t axis) {
 
 class Builder {
 public:
-    Builder(const cells::Pieces& pieces, const Config& config)
+    Builder(const space_cells::Pieces& pieces, const Config& config)
         : pieces_(pieces),
           leaf_size_(std::size_t(config.leaf_size)),
           inner_(config.straddlers == Straddlers::inner) {}
@@ -67,7 +67,7 @@ private:
     /// Removes the items on both sides of one of the middle planes from a part, and returns them.
     static Items straddlers(Part& part) {
         Items own, rest;
-        for (const cells::Item& item : part.items) {
+        for (const space_cells::Item& item : part.items) {
             bool straddles = false;
             for (std::size_t k = 0; k < 3; ++k) {
                 const Cut cut = middle(part.box, k);
@@ -123,7 +123,7 @@ private:
         return cell;
     }
 
-    const cells::Pieces& pieces_;
+    const space_cells::Pieces& pieces_;
     std::size_t leaf_size_;
     bool inner_;
 };
@@ -131,13 +131,13 @@ private:
 }   // namespace
 
 CellPtr build(const std::vector<PrimData>& prims, const Config& config) {
-    return build(cells::Pieces(prims, config), config);
+    return build(space_cells::Pieces(prims, config), config);
 }
 
-CellPtr build(const cells::Pieces& pieces, const Config& config) {
+CellPtr build(const space_cells::Pieces& pieces, const Config& config) {
     Items items = pieces.all();
     const double most = double(config.references) * double(items.size());
-    const LatticeBox box = cells::bounds_of(items);
+    const LatticeBox box = space_cells::bounds_of(items);
     return pieces.with_endless(Builder(pieces, config).node({std::move(items), box}, max_depth, most));
 }
 

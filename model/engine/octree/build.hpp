@@ -1,6 +1,6 @@
 #pragma once
 // The octree over the primitives of a scene on the lattice.
-#include "model/engine/cells/cell.hpp"
+#include "model/engine/space_cells/cell.hpp"
 
 namespace rayclock::octree {
 
@@ -10,11 +10,11 @@ namespace rayclock::octree {
 /// halved.
 ///
 /// A primitive that straddles a plane has a reference in every leaf that it reaches, by exact clipping, and
-/// references are bounded (cells/build.hpp). With `straddlers` inner it stays in the inner node instead. A
-/// node that holds primitives itself is walked in two parts that no plane divides: these primitives and its
-/// octants.
-cells::CellPtr build(const std::vector<PrimData>& prims, const Config& config);
-cells::CellPtr build(const cells::Pieces& pieces, const Config& config);
+/// references are bounded (space_cells/build.hpp). With `straddlers` inner it stays in the inner node
+/// instead. A node that holds primitives itself is walked in two parts that no plane divides: these
+/// primitives and its octants.
+space_cells::CellPtr build(const std::vector<PrimData>& prims, const Config& config);
+space_cells::CellPtr build(const space_cells::Pieces& pieces, const Config& config);
 constexpr int max_depth = 12;
 
 }   // namespace rayclock::octree

@@ -7,12 +7,12 @@ namespace rayclock {
 
 /// The best hit of a ray so far, and its distance to beat. A ray to or from a light ends with the first
 /// primitive in its way, but ignores its first Ray::holes cut-outs. A shadow ray also ends at t = 2^-B: see
-/// reach_of().
+/// t_max_of().
 class BestHit {
 public:
     BestHit() = default;
-    BestHit(const Start& start, std::uint32_t reach)
-        : ray_(start.ray), reach_(reach), holes_(start.holes), any_(ends_at_any(start.kind)) {}
+    BestHit(const Start& start, std::uint32_t t_max)
+        : ray_(start.ray), t_best_(t_max), holes_(start.holes), any_(ends_at_any(start.kind)) {}
 
     /// Accepts tri's answer. `instance_line` is Closest's.
     void take(const TriRsp& tri, std::uint32_t instance_line = 0) {
@@ -24,15 +24,15 @@ public:
         best_ = {1, tri.num, tri.det, tri.prim};
         // tri's fields are 0 for an opaque primitive in the way to a light.
         found_ = {ray_, 1, tri.prim, tri.t, tri.u, tri.v, tri.back, instance_line, tri.cutout};
-        reach_ = tri.t;
+        t_best_ = tri.t;
     }
     const Best& best() const { return best_; }
-    std::uint32_t t() const { return reach_; }          ///< distance to beat
+    std::uint32_t t_best() const { return t_best_; }    ///< distance to beat
     bool stop() const { return any_ && best_.found; }   ///< the light is blocked
     Closest closest() const { return best_.found ? found_ : Closest{ray_, 0, 0, 0, 0, 0, 0, 0}; }
 
 private:
-    std::uint32_t ray_ = 0, reach_ = 0;
+    std::uint32_t ray_ = 0, t_best_ = 0;
     std::uint32_t holes_ = 0;   // number of cut-outs that the ray still ignores
     bool any_ = false;          // any hit ends the ray
     Best best_;
@@ -65,14 +65,14 @@ struct LeafCursor {
 class RayTests {
 public:
     explicit RayTests(const Config& config) {
-        for (std::uint32_t kind = 0; kind < reaches_.size(); ++kind)
-            reaches_[kind] = reach_of(RayKind(kind), config);
+        for (std::uint32_t kind = 0; kind < t_max_.size(); ++kind)
+            t_max_[kind] = t_max_of(RayKind(kind), config);
     }
 
     /// Starts a new ray without a hit.
     void start(const Start& start) {
         ray_ = start.ray;
-        hit_ = {start, reaches_[std::size_t(start.kind)]};
+        hit_ = {start, t_max_[std::size_t(start.kind)]};
     }
     /// Accepts trav's leaves. prim() is the first to test.
     void begin(const Leaves& leaves) {
@@ -83,12 +83,12 @@ public:
     /// Accepts tri's answer. Returns true if there is another triangle to test.
     bool advance(const TriRsp& tri) {
         hit_.take(tri);
-        return !hit_.stop() && cursor_.advance(met_, hit_.t());
+        return !hit_.stop() && cursor_.advance(met_, hit_.t_best());
     }
 
     std::uint32_t prim() const { return cursor_.half_line; }
     const Best& best() const { return hit_.best(); }
-    Tested tested() const { return {ray_, hit_.stop(), hit_.t()}; }
+    Tested tested() const { return {ray_, hit_.stop(), hit_.t_best()}; }
     Closest closest() const { return hit_.closest(); }
 
 private:
@@ -99,7 +99,7 @@ private:
         std::uint32_t first(std::uint32_t i) const { return 2 * leaves.base + leaves.offset[i]; }
         std::uint32_t count(std::uint32_t i) const { return leaves.count[i]; }
     };
-    std::array<std::uint32_t, 4> reaches_{};   // reach_of() for each kind
+    std::array<std::uint32_t, 4> t_max_{};   // t_max_of() for each kind
     std::uint32_t ray_ = 0;
     BestHit hit_;
     Met met_;

@@ -89,7 +89,12 @@ module rc_globe_ray #(
   rc_path_register #(.Width(ExpBits), .Stages(Waits)) u_len (
     .clk_i, .data_i(full_len), .data_o(len_q));
 
-  assign fields_o = {o_q, toward_q, len_q};
+  rc_pkg::toward_ray_t fields;
+
+  assign fields.o      = o_q;
+  assign fields.toward = toward_q;
+  assign fields.len    = len_q;
+  assign fields_o      = fields;
 
   if (Cut == 0) begin : gen_now
     assign valid_o = valid_i;

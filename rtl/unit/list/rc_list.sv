@@ -194,14 +194,14 @@ module rc_list (
   end
 
   // ---- Distances to beat.
-  logic [TBits-1:0]   old_t;   // distance to beat of s1's ray
-  logic [2*TBits-1:0] nears;   // nearest points of the leaves that may follow
+  logic [TBits-1:0]   old_t_best;   // distance to beat of s1's ray
+  logic [2*TBits-1:0] nears;        // nearest points of the leaves that may follow
   logic [1:0]         s1_within, old_within;
 
-  rc_ray_t_max #(.Nears(2)) u_reach (
+  rc_t_best #(.Nears(2)) u_t_best (
     .clk_i, .rst_ni, .start_fires_i, .start_i,
-    .write_i(s1_closer), .write_ray_i(s1_ray), .write_t_i(s1_rsp_t),
-    .read_ray_i(s0_rsp.ray), .read_t_o(old_t), .near_i(nears), .within_o(old_within));
+    .write_i(s1_closer), .write_ray_i(s1_ray), .write_t_best_i(s1_rsp_t),
+    .read_ray_i(s0_rsp.ray), .read_t_best_o(old_t_best), .near_i(nears), .within_o(old_within));
 
   // ---- Leaves in flight per ray: written by trav's leaves, read by tri's answer.
   localparam int unsigned GroupW = rc_pkg::LeafGroupW;
@@ -242,7 +242,7 @@ module rc_list (
 
   // ---- Tri's answer: the next triangle of the leaf, the next leaf, or the last was tested.
   logic                            s2_blocked;
-  logic [TBits-1:0]                s1_t, s2_t;
+  logic [TBits-1:0]                s1_t_best, s2_t_best;
   logic [AddrBits-1:0]             s2_base;
   logic [GroupBits-1:0]            group_leaves;
   logic [NodeWidth*TBits-1:0]      group_near;
@@ -252,7 +252,7 @@ module rc_list (
   rc_path_register #(.Width(SlotBits + CountBits)) u_s1_cursor (
     .clk_i, .data_i(s0_cursor), .data_o(s1_cursor));
 
-  assign s1_t = s1_closer ? s1_rsp_t : old_t;
+  assign s1_t_best = s1_closer ? s1_rsp_t : old_t_best;
   assign {cursor_leaf, cursor_triangle} = was_moved ? s1_cursor : '0;
 
   rc_pkg::leaf_group_t group;
@@ -306,9 +306,9 @@ module rc_list (
   rc_path_register #(.Width(RayBits + 3 + TBits + AddrBits + SlotBits + CountBits + 2 * OffsetBits))
   u_s2 (
     .clk_i,
-    .data_i({s1_ray, s1_blocked, more_triangles, more_leaves, s1_t, group.base, cursor_leaf,
+    .data_i({s1_ray, s1_blocked, more_triangles, more_leaves, s1_t_best, group.base, cursor_leaf,
              cursor_triangle, this_offset, next_offset}),
-    .data_o({s2_ray, s2_blocked, s2_more_triangles, s2_more_leaves, s2_t, s2_base, s2_leaf,
+    .data_o({s2_ray, s2_blocked, s2_more_triangles, s2_more_leaves, s2_t_best, s2_base, s2_leaf,
              s2_triangle, s2_this_offset, s2_next_offset}));
 
   rc_pulse_register u_s2_fires (.clk_i, .rst_ni, .fires_i(s1_fires), .fires_o(s2_fires));
@@ -345,7 +345,7 @@ module rc_list (
   rc_pkg::tested_t ended;
 
   assign ended.ray    = s2_ray;
-  assign ended.t_best = s2_t;
+  assign ended.t_best = s2_t_best;
   if (rc_pkg::Shading) begin : gen_stop   // the first hit of a ray that any hit ends
     assign ended.stop = s2_blocked;
   end

@@ -50,14 +50,14 @@ module rc_trav (
   // In a fast chip: the next one comes, and its ray
   input  logic                           node_next_fires_i,
   input  logic [rc_pkg::RayBits-1:0]     node_next_i,
-  // To and from the unit that decides nodes: box or its replacement
-  output logic                           decide_req_valid_o,
-  input  logic                           decide_req_ready_i,
-  output logic [rc_pkg::NodeReqBits-1:0] decide_req_o,
-  input  logic                           decide_rsp_valid_i,
-  output logic                           decide_rsp_ready_o,
-  input  rc_pkg::node_answer_t           decide_rsp_i,
-  // With two structures: to the unit that decides the meshes' nodes
+  // To and from the node unit
+  output logic                           node_unit_req_valid_o,
+  input  logic                           node_unit_req_ready_i,
+  output logic [rc_pkg::NodeReqBits-1:0] node_unit_req_o,
+  input  logic                           node_unit_rsp_valid_i,
+  output logic                           node_unit_rsp_ready_o,
+  input  rc_pkg::node_answer_t           node_unit_rsp_i,
+  // With two structures: to the node unit of the meshes
   output logic                           mesh_req_valid_o,
   input  logic                           mesh_req_ready_i,
   output logic [rc_pkg::MeshReqBits-1:0] mesh_req_o,
@@ -91,14 +91,14 @@ module rc_trav (
   localparam int unsigned OffsetBits = rc_pkg::OffsetBits;
   localparam int unsigned CountBits  = rc_pkg::CountBits;
 
-  // ---- Rays. Their fields that decide nodes wait here for the ray's nodes.
-  localparam int unsigned NodeRayW = rc_pkg::DecideRayW;
+  // ---- Rays. Their fields for the node unit wait here for the ray's nodes.
+  localparam int unsigned NodeRayW = rc_pkg::NodeUnitRayW;
 
   logic                    ray_fires, fields_valid;
   logic [3*RayDirBits-1:0] ray_d;
   logic [RayBits-1:0]      fields_ray;
   logic [NodeRayW-1:0]     new_fields, fields_flat;
-  rc_pkg::decide_ray_t     ray_fields;
+  rc_pkg::node_unit_ray_t  ray_fields;
 
   assign ray_fires = ray_valid_i && ray_ready_o;
   assign ray_d     = ray_i.d;
@@ -126,20 +126,20 @@ module rc_trav (
 
   // ---- Nodes from memory, with their rays.
   logic [rc_pkg::NodeRspW-1:0] node_rsp;   // {ray, node}: the node's format is unknown here
-  rc_pkg::decide_req_t         decide_req;
+  rc_pkg::node_unit_req_t      node_unit_req;
   rc_pkg::mesh_req_t           mesh_req;
   rc_pkg::xform_ray_t          new_xform_ray, xform_ray;   // what xform needs, without the origin
   rc_pkg::xform_req_t          xform_req;
 
-  assign node_rsp        = node_rsp_i;
-  assign decide_req.ray  = node_rsp_i.ray;
-  assign decide_req.node = node_rsp[rc_pkg::NodeBits-1:0];
-  assign decide_req_o    = decide_req;
+  assign node_rsp           = node_rsp_i;
+  assign node_unit_req.ray  = node_rsp_i.ray;
+  assign node_unit_req.node = node_rsp[rc_pkg::NodeBits-1:0];
+  assign node_unit_req_o    = node_unit_req;
 
   if (rc_pkg::Levels == 1) begin : gen_nodes
-    assign decide_req.ray_fields                           = ray_fields;
-    assign decide_req_valid_o                              = node_rsp_valid_i;
-    assign node_rsp_ready_o                                = decide_req_ready_i;
+    assign node_unit_req.ray_fields                        = ray_fields;
+    assign node_unit_req_valid_o                           = node_rsp_valid_i;
+    assign node_rsp_ready_o                                = node_unit_req_ready_i;
     assign mesh_req_valid_o                                = 1'b0;
     assign mesh_req_o                                      = '0;
     assign xform_req_valid_o                               = 1'b0;
@@ -190,12 +190,12 @@ module rc_trav (
     assign xform_req_valid_o = node_rsp_valid_i && is_instance;
 
     if (rc_pkg::MeshStructure == rc_pkg::Structure) begin : gen_same
-      assign decide_req.ray_fields = in_mesh ? mesh_ray_fields : ray_fields;
-      assign decide_req_valid_o    = node_rsp_valid_i && !is_instance;
-      assign node_rsp_ready_o      = is_instance ? xform_req_ready_i : decide_req_ready_i;
-      assign mesh_req_valid_o      = 1'b0;
-      assign mesh_req              = '0;
-      assign mesh_req_o            = '0;
+      assign node_unit_req.ray_fields = in_mesh ? mesh_ray_fields : ray_fields;
+      assign node_unit_req_valid_o    = node_rsp_valid_i && !is_instance;
+      assign node_rsp_ready_o         = is_instance ? xform_req_ready_i : node_unit_req_ready_i;
+      assign mesh_req_valid_o         = 1'b0;
+      assign mesh_req                 = '0;
+      assign mesh_req_o               = '0;
 
       logic unused;
       assign unused = ^{mesh_req_ready_i, mesh_req};
@@ -204,12 +204,12 @@ module rc_trav (
       assign mesh_req.ray_fields = mesh_ray_fields;
       assign mesh_req.node       = node_rsp[rc_pkg::MeshNodeBits-1:0];
 
-      assign decide_req.ray_fields = ray_fields;
-      assign decide_req_valid_o    = node_rsp_valid_i && !is_instance && !in_mesh;
-      assign mesh_req_valid_o      = node_rsp_valid_i && in_mesh;
-      assign mesh_req_o            = mesh_req;
-      assign node_rsp_ready_o      = is_instance ? xform_req_ready_i
-                                   : in_mesh     ? mesh_req_ready_i : decide_req_ready_i;
+      assign node_unit_req.ray_fields = ray_fields;
+      assign node_unit_req_valid_o    = node_rsp_valid_i && !is_instance && !in_mesh;
+      assign mesh_req_valid_o         = node_rsp_valid_i && in_mesh;
+      assign mesh_req_o               = mesh_req;
+      assign node_rsp_ready_o         = is_instance ? xform_req_ready_i
+                                      : in_mesh     ? mesh_req_ready_i : node_unit_req_ready_i;
     end
 
     // The fields of the instance lie lowest in a request.
@@ -239,23 +239,23 @@ module rc_trav (
 `endif
   end
 
-  // ---- Answers: box's answer (rsp0, then rsp1), and the ray's distance to beat.
+  // ---- Answers: the node unit's answer (rsp0, then rsp1), and the ray's distance to beat.
   rc_pkg::node_answer_t           rsp1;
   logic [rc_pkg::NodeAnswerW-1:0] rsp0, rsp1_flat;
   logic                           rsp0_fires, rsp2_fires;
-  logic [TBits-1:0]               rsp1_t;
+  logic [TBits-1:0]               rsp1_t_best;
 
-  assign rsp0               = decide_rsp_i;
-  assign rsp0_fires         = decide_rsp_valid_i;
-  assign decide_rsp_ready_o = 1'b1;
+  assign rsp0                  = node_unit_rsp_i;
+  assign rsp0_fires            = node_unit_rsp_valid_i;
+  assign node_unit_rsp_ready_o = 1'b1;
 
   logic [NodeWidth-1:0] rsp1_within;   // children that lie no farther
 
-  rc_ray_t_max #(.Nears(NodeWidth)) u_reach (
+  rc_t_best #(.Nears(NodeWidth)) u_t_best (
     .clk_i, .rst_ni, .start_fires_i, .start_i,
     .write_i(tested_valid_i && tested_ready_o), .write_ray_i(tested_i.ray),
-    .write_t_i(tested_i.t_best), .read_ray_i(decide_rsp_i.ray), .read_t_o(rsp1_t),
-    .near_i(rsp1.t_near), .within_o(rsp1_within));
+    .write_t_best_i(tested_i.t_best), .read_ray_i(node_unit_rsp_i.ray),
+    .read_t_best_o(rsp1_t_best), .near_i(rsp1.t_near), .within_o(rsp1_within));
 
   rc_path_register #(.Width(rc_pkg::NodeAnswerW)) u_rsp1 (
     .clk_i, .data_i(rsp0), .data_o(rsp1_flat));
@@ -291,7 +291,7 @@ module rc_trav (
   rc_pkg::children_t            rsp1_children;
   logic [rc_pkg::LeavesW-1:0]   leaves_flat;
   logic [rc_pkg::ChildrenW-1:0] children;
-  logic [TBits-1:0]             leaves_beat;
+  logic [TBits-1:0]             leaves_t_best;
 
   assign rsp1_leaves.ray    = rsp1.ray;
   assign rsp1_leaves.base   = rsp1.base;
@@ -306,8 +306,8 @@ module rc_trav (
   assign rsp1_children.slot   = rsp1_slot;
 
   rc_path_register #(.Width(rc_pkg::LeavesW + rc_pkg::ChildrenW + TBits)) u_moved (
-    .clk_i, .data_i({rsp1_leaves, rsp1_children, rsp1_t}),
-    .data_o({leaves_flat, children, leaves_beat}));
+    .clk_i, .data_i({rsp1_leaves, rsp1_children, rsp1_t_best}),
+    .data_o({leaves_flat, children, leaves_t_best}));
   assign leaves = leaves_flat;
 
   // Leaves go to list if the nearest can matter. A fast chip compares all children one cycle
@@ -320,7 +320,7 @@ module rc_trav (
 
   if (rc_pkg::PathCut == 0) begin : gen_in_now
     logic matters;
-    assign matters        = leaves.leaves != '0 && leaves_near[TBits-1:0] <= leaves_beat;
+    assign matters        = leaves.leaves != '0 && leaves_near[TBits-1:0] <= leaves_t_best;
     assign rsp2_fires     = rsp0_fires;
     assign leaves_fires_o = rsp2_fires && matters;
     assign leafless_fires = rsp2_fires && !matters;
@@ -350,18 +350,18 @@ module rc_trav (
   // ---- Steps: rays whose leaves are tested, and rays without leaves.
   logic               leafless_valid, leafless_ready, step_valid, step_ready;
   logic [RayBits-1:0] leafless_ray;
-  logic [TBits-1:0]   leafless_t;
+  logic [TBits-1:0]   leafless_t_best;
   rc_pkg::tested_t    leafless;
 
   rc_queue #(.Width(RayBits + TBits), .Depth(Contexts)) u_leafless (
-    .clk_i, .rst_ni, .push_i(leafless_fires), .data_i({leaves.ray, leaves_beat}),
+    .clk_i, .rst_ni, .push_i(leafless_fires), .data_i({leaves.ray, leaves_t_best}),
     .valid_o(leafless_valid), .pop_i(leafless_valid && leafless_ready),
-    .data_o({leafless_ray, leafless_t}));
+    .data_o({leafless_ray, leafless_t_best}));
 
   always_comb begin
     leafless        = '0;
     leafless.ray    = leafless_ray;
-    leafless.t_best = leafless_t;
+    leafless.t_best = leafless_t_best;
   end
 
   rc_pkg::tested_t            step;
@@ -385,7 +385,7 @@ module rc_trav (
   // and no stop.
   logic               again_q, step_fires;
   logic [RayBits-1:0] again_ray_q, s0_ray;
-  logic [TBits-1:0]   again_t_q;
+  logic [TBits-1:0]   again_t_best_q;
   rc_pkg::tested_t    again_tested;
 
   assign step_ready = !again_q;
@@ -395,7 +395,7 @@ module rc_trav (
   always_comb begin
     again_tested        = '0;
     again_tested.ray    = again_ray_q;
-    again_tested.t_best = again_t_q;
+    again_tested.t_best = again_t_best_q;
   end
 
   // ---- Stage 1 of a step: the ray's children.
@@ -438,8 +438,8 @@ module rc_trav (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) again_q <= 1'b0;
     else         again_q <= again;
-    if (again) again_ray_q <= end_tested.ray;
-    if (again) again_t_q   <= end_tested.t_best;
+    if (again) again_ray_q    <= end_tested.ray;
+    if (again) again_t_best_q <= end_tested.t_best;
   end
 
   // ---- Nodes to fetch. New rays wait for a gap.

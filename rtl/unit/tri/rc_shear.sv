@@ -14,7 +14,10 @@ module rc_shear #(
   input  logic                       clk_i,
   input  logic [5:0]                 enable_i,   // of stages 0..5
   // Ray and triangle
-  input  logic [3*M+2:0]             s0_shear_i,
+  input  logic [1:0]                 s0_axis_i,
+  input  logic                       s0_neg_i,
+  input  logic [M-1:0]               s0_size_i,
+  input  logic [2*M-1:0]             s0_slope_i,   // {y, x}
   input  logic [3*N-1:0]             s0_o_i,
   input  logic [3*N-1:0]             s0_a_i,
   input  logic [3*N-1:0]             s0_b_i,
@@ -41,26 +44,20 @@ module rc_shear #(
   endfunction
 
   // ---- s1: corners relative to the origin.
-  logic [1:0]           s0_axis;
-  logic                 s0_neg;
-  logic [M-1:0]         s0_size, s0_slope_y, s0_slope_x;
-
-  assign {s0_axis, s0_neg, s0_size, s0_slope_y, s0_slope_x} = s0_shear_i;
-
   logic [3*N-1:0] s0_o;
-  assign s0_o = turned(s0_o_i, s0_axis);
+  assign s0_o = turned(s0_o_i, s0_axis_i);
 
   logic [M-1:0] s1_slope_x_q, s1_slope_y_q;
 
   always_ff @(posedge clk_i)
-    if (enable_i[0]) {s1_slope_y_q, s1_slope_x_q} <= {s0_slope_y, s0_slope_x};
+    if (enable_i[0]) {s1_slope_y_q, s1_slope_x_q} <= {s0_slope_i[M +: M], s0_slope_i[0 +: M]};
 
   // Fields that wait for the decision.
   logic         s5_neg;
   logic [M-1:0] s5_size;
 
   rc_shift_register #(.Width(M + 1), .Stages(5)) u_wait (
-    .clk_i, .enable_i(enable_i[4:0]), .data_i({s0_neg, s0_size}), .data_o({s5_neg, s5_size}));
+    .clk_i, .enable_i(enable_i[4:0]), .data_i({s0_neg_i, s0_size_i}), .data_o({s5_neg, s5_size}));
 
   logic [3*N*3-1:0]     s0_corners;
   logic [3*DiffW-1:0]   s4_z;
@@ -74,7 +71,7 @@ module rc_shear #(
     logic signed [SlopeProductW-1:0] s2_px_q, s2_py_q, s2_up_x, s2_up_y;
     logic signed [PlanarW-1:0]       s3_x_q, s3_y_q;
 
-    assign s0_p = turned(s0_corners[k*3*N +: 3*N], s0_axis);
+    assign s0_p = turned(s0_corners[k*3*N +: 3*N], s0_axis_i);
 
     // s2: slopes times z. s3: one rounding, r - slope z + 1/2, rounded down, Q(N+2).0.
     assign s2_up_x = $signed({{(SlopeProductW-SlopeFrac){1'b0}}, 1'b1, {(SlopeFrac-1){1'b0}}})

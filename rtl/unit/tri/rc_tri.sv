@@ -53,11 +53,24 @@ module rc_tri (
   localparam int unsigned Ball  = In + rc_pkg::SphereStages;
   localparam int unsigned Core  = rc_pkg::Spheres && Ball > Flat ? Ball : Flat;
   localparam int unsigned Extra = Latency - Core;
-  localparam int unsigned BackW   = rc_pkg::Shading ? 1 : 0;
-  localparam int unsigned CutoutW = rc_pkg::HasTextures ? 1 : 0;
-  // Closer, cutout, back, num, det, prim.
-  localparam int unsigned TailW  = 1 + CutoutW + BackW + NumBits + EdgeBits + PrimBits;
-  localparam int unsigned HitW   = TailW + TBits + 2 * UvBits;
+  localparam int unsigned TailW = rc_pkg::TriTailW;
+  localparam int unsigned HitW  = rc_pkg::TriHitW;
+
+  // What waits for the comparison: a hit's numbers.
+  typedef struct packed {
+    logic [NumBits-1:0]  num;
+    logic [EdgeBits-1:0] det, u, v;
+    logic                back, u_neg, v_neg;
+  } compared_t;
+  localparam int unsigned ComparedW = NumBits + 3 * EdgeBits + 3;
+
+  // The hit to beat of a sphere's ray.
+  typedef struct packed {
+    logic                first, found;
+    logic [NumBits-1:0]  num;
+    logic [EdgeBits-1:0] det;
+  } ball_best_t;
+  localparam int unsigned BallBestW = 2 + NumBits + EdgeBits;
 
   if (Latency < Core) begin : gen_refuse
     $error("rc_tri: TriLatency must be at least Core");
@@ -169,7 +182,7 @@ module rc_tri (
   // t's divisor. In the sheared test it includes the direction's size as a factor; that product is
   // ready with those of the comparison.
   logic [DenW-1:0]     pre_den;
-  logic [EdgeBits-1:0] pre_det;
+  compared_t           pre;   // the hit, at the end of the comparison
 
   if (IsSheared) begin : gen_sheared
     logic [M-1:0]          f0_size;
@@ -178,7 +191,7 @@ module rc_tri (
 
     rc_shear u_shear (
       .clk_i, .enable_i(flat_enable[Front-1:In]),
-      .s0_shear_i({in.axis, in.neg, in.size, in.slope}),
+      .s0_axis_i(in.axis), .s0_neg_i(in.neg), .s0_size_i(in.size), .s0_slope_i(in.slope),
       .s0_o_i(in.o), .s0_a_i(in_a), .s0_b_i(in_b), .s0_c_i(in_c),
       .s6_hit_o(f0_hit), .s6_size_o(f0_size), .s6_det_o(f0_det), .s6_num_o(f0_num),
       .s6_u_o(f0_u), .s6_v_o(f0_v));
@@ -205,7 +218,7 @@ module rc_tri (
       .hit_o(f0_hit), .det_o(f0_det), .num_o(f0_num), .u_o(f0_u), .v_o(f0_v),
       .back_o(f0_back), .u_neg_o(f0_u_neg), .v_neg_o(f0_v_neg));
 
-    assign pre_den = pre_det;
+    assign pre_den = pre.det;
   end
 
   // In parallel, the number and the hit to beat wait. A ray from a light must be blocked before its
@@ -285,29 +298,40 @@ module rc_tri (
 
   // The hit waits for the comparison.
   localparam int unsigned Compare = Pre - Front;
-  logic [NumBits-1:0]  pre_num;
-  logic [EdgeBits-1:0] pre_u, pre_v;
-  logic [PrimBits-1:0] pre_prim;
-  logic                pre_any, pre_cutout, pre_back, pre_u_neg, pre_v_neg;
-  logic [PrimBits+CutoutW:0] in_number, pre_number;
+  compared_t                     f0;
+  logic [ComparedW-1:0]          pre_flat;
+  rc_pkg::tri_number_t           in_number, pre_number;
+  logic [rc_pkg::TriNumberW-1:0] pre_number_flat;
+  logic                          pre_cutout;
 
-  rc_interval_delay #(.Width(NumBits + 3 * EdgeBits + 3), .Stages(Compare), .Every(Interval))
-  u_hit_aside (
+  assign f0.num   = f0_num;
+  assign f0.det   = f0_det;
+  assign f0.u     = f0_u;
+  assign f0.v     = f0_v;
+  assign f0.back  = f0_back;
+  assign f0.u_neg = f0_u_neg;
+  assign f0.v_neg = f0_v_neg;
+
+  rc_interval_delay #(.Width(ComparedW), .Stages(Compare), .Every(Interval)) u_hit_aside (
     .clk_i, .rst_ni, .enable_i(flat_enable[Pre-1:Front]), .valid_i(flat[Pre-1:Front]),
-    .data_i({f0_num, f0_det, f0_u, f0_v, f0_back, f0_u_neg, f0_v_neg}),
-    .data_o({pre_num, pre_det, pre_u, pre_v, pre_back, pre_u_neg, pre_v_neg}));
+    .data_i(f0), .data_o(pre_flat));
 
-  rc_interval_delay #(.Width(PrimBits + 1 + CutoutW), .Stages(Pre - In), .Every(Interval)) u_prim (
+  assign pre = pre_flat;
+
+  assign in_number.prim = in.prim;
+  assign in_number.any  = in_any;
+
+  rc_interval_delay #(.Width(rc_pkg::TriNumberW), .Stages(Pre - In), .Every(Interval)) u_prim (
     .clk_i, .rst_ni, .enable_i(flat_enable[Pre-1:In]), .valid_i(flat[Pre-1:In]),
-    .data_i(in_number), .data_o(pre_number));
+    .data_i(in_number), .data_o(pre_number_flat));
+
+  assign pre_number = pre_number_flat;
 
   if (rc_pkg::HasTextures) begin : gen_cutout
-    assign in_number                       = {in_cutout, in.prim, in_any};
-    assign {pre_cutout, pre_prim, pre_any} = pre_number;
+    assign in_number.cutout = in_cutout;
+    assign pre_cutout       = pre_number.cutout;
   end else begin : gen_no_cutout
-    assign in_number           = {in.prim, in_any};
-    assign {pre_prim, pre_any} = pre_number;
-    assign pre_cutout          = 1'b0;
+    assign pre_cutout = 1'b0;
 
     logic unused;
     assign unused = in_cutout;
@@ -319,13 +343,13 @@ module rc_tri (
   logic [TBits-1:0]  t;
   logic [UvBits-1:0] u, v;
 
-  assign pre_divide = flat[Pre] && pre_closer_q && (!pre_any || pre_cutout);
-  assign pre_block  = flat[Pre] && pre_closer_q && pre_any && !pre_cutout;
+  assign pre_divide = flat[Pre] && pre_closer_q && (!pre_number.any || pre_cutout);
+  assign pre_block  = flat[Pre] && pre_closer_q && pre_number.any && !pre_cutout;
 
   rc_hitdiv #(.DenW(DenW)) u_hitdiv (
     .clk_i, .enable_i(Cut != 0 || pre_divide), .valid_i(pre_divide),
-    .num_i(pre_num), .den_i(pre_den), .det_i(pre_det),
-    .u_i(pre_u), .v_i(pre_v), .u_neg_i(pre_u_neg), .v_neg_i(pre_v_neg),
+    .num_i(pre.num), .den_i(pre_den), .det_i(pre.det),
+    .u_i(pre.u), .v_i(pre.v), .u_neg_i(pre.u_neg), .v_neg_i(pre.v_neg),
     .t_o(t), .u_o(u), .v_o(v));
 
   // Valid bits of the division, and the fields that wait.
@@ -334,14 +358,17 @@ module rc_tri (
   assign divides     = {closer_q[Divide-2:0], pre_divide};
   assign tail_enable = divides | {Divide{Cut != 0}};
 
-  logic [TailW-2:0]  pre_tail, tail;
+  rc_pkg::tri_tail_t pre_tail;
+  logic [TailW-1:0]  tail;
 
-  if (rc_pkg::HasTextures) begin : gen_back_and_cutout
-    assign pre_tail = {pre_cutout, pre_back, pre_num, pre_det, pre_prim};
-  end else if (rc_pkg::Shading) begin : gen_back
-    assign pre_tail = {pre_back, pre_num, pre_det, pre_prim};
-  end else begin : gen_no_back
-    assign pre_tail = {pre_num, pre_det, pre_prim};
+  assign pre_tail.num  = pre.num;
+  assign pre_tail.det  = pre.det;
+  assign pre_tail.prim = pre_number.prim;
+  if (rc_pkg::Shading) begin : gen_back
+    assign pre_tail.back = pre.back;
+  end
+  if (rc_pkg::HasTextures) begin : gen_tail_cutout
+    assign pre_tail.cutout = pre_cutout;
   end
 
   always_ff @(posedge clk_i) begin
@@ -350,15 +377,22 @@ module rc_tri (
     block_q <= {block_q[Divide-2:0], pre_block};
   end
 
-  rc_interval_delay #(.Width(TailW - 1), .Stages(Divide), .Every(Interval)) u_tail (
+  rc_interval_delay #(.Width(TailW), .Stages(Divide), .Every(Interval)) u_tail (
     .clk_i, .rst_ni, .enable_i(tail_enable), .valid_i(divides), .data_i(pre_tail), .data_o(tail));
 
   // ---- The hit: closer with all fields, or blocked without fields.
-  logic            closer, blocked;
-  logic [HitW-2:0] hit;
+  logic              closer, blocked;
+  logic [HitW-1:0]   hit;
+  rc_pkg::tri_hit_t  flat_now, ball_hit;   // not a sphere; a sphere
+  rc_pkg::tri_tail_t ball_tail;
+  ball_best_t        in_best, ball_best;
+
+  assign flat_now.tail = tail;
+  assign flat_now.t    = t;
+  assign flat_now.u    = u;
+  assign flat_now.v    = v;
 
   if (rc_pkg::Spheres) begin : gen_sphere
-    localparam int unsigned BallBestW = 2 + NumBits + EdgeBits;
     localparam int unsigned BestStage = rc_pkg::SphereStages - Mul - 2 - Cut
                                       - (rc_pkg::PairParts == 1 ? 1 + Cut : 0);
 
@@ -368,21 +402,19 @@ module rc_tri (
     localparam logic [EdgeBits-1:0] Unit = EdgeBits'(1) << (M - 1 + rc_pkg::TFracBits);
 
     logic                 flat_closer, flat_block;
-    logic [HitW-2:0]      flat_hit;
-    logic [BallBestW-1:0] next_best, ball_best;
+    logic [HitW-1:0]      flat_hit;
+    logic [BallBestW-1:0] next_best, ball_best_flat;
     logic [PrimBits-1:0]  ball_prim;
-    logic                 ball_closer, ball_blocked, ball_far, ball_found, ball_first;
+    logic                 ball_closer, ball_blocked, ball_far;
     logic                 late_closer, late_blocked, late_far;
-    logic [NumBits-1:0]   ball_best_num;
-    logic [EdgeBits-1:0]  ball_best_det;
     logic [TBits-1:0]     ball_t, late_t;
-    logic                 in_ball, in_ball_first, in_own, in_inside, best_next;
+    logic                 in_ball, in_own, in_inside, best_next;
     logic [2*N-1:0]       in_square;   // of the radius: the low bits of b
     logic                 in_glass;    // its inside can be seen: the bit above them
 
     if (FlatLate == 0) begin : gen_flat_last
       assign {flat_closer, flat_block} = {closer_q[Divide-1], block_q[Divide-1]};
-      assign flat_hit                  = {tail, t, u, v};
+      assign flat_hit                  = flat_now;
     end else begin : gen_flat_waits
       localparam int unsigned Late = (FlatLate + Interval - 1) / Interval;
       logic [FlatLate-1:0] late_closer_q;
@@ -399,9 +431,9 @@ module rc_tri (
       rc_path_register #(.Width(1), .Stages(FlatLate)) u_block (
         .clk_i, .data_i(block_q[Divide-1]), .data_o(flat_block));
 
-      rc_stage_delay #(.Width(HitW - 1), .Stages(Late), .Every(Interval)) u_late (
+      rc_stage_delay #(.Width(HitW), .Stages(Late), .Every(Interval)) u_late (
         .clk_i, .rst_ni, .enter_i(closer_q[Divide-1]), .leave_i(flat_closer),
-        .data_i({tail, t, u, v}), .data_o(flat_hit));
+        .data_i(flat_now), .data_o(flat_hit));
     end
 
     // Spheres.
@@ -418,29 +450,32 @@ module rc_tri (
       assign in_inside = 1'b0;
     end
 
-    assign in_ball_first = in.prim <= in.best_prim;
+    assign in_best.first = in.prim <= in.best_prim;
+    assign in_best.found = in.found;
+    assign in_best.num   = in.best_num;
+    assign in_best.det   = in.best_det;
 
     rc_stage_delay #(
       .Width(BallBestW), .Stages((BestStage + Interval - 2) / Interval), .Every(Interval))
     u_ball_best (
       .clk_i, .rst_ni, .enter_i(in_ball), .leave_i(best_next),
-      .data_i({in_ball_first, in.found, in.best_num, in.best_det}), .data_o(next_best));
+      .data_i(in_best), .data_o(next_best));
 
     rc_path_register #(.Width(BallBestW), .Stages(1)) u_best_last (
-      .clk_i, .data_i(next_best), .data_o(ball_best));
+      .clk_i, .data_i(next_best), .data_o(ball_best_flat));
 
     rc_delay_ram #(.Width(PrimBits), .Stages(Core - In)) u_ball_prim (
       .clk_i, .rst_ni, .valid_i(in_ball), .data_i(in.prim), .data_o(ball_prim));
 
-    assign {ball_first, ball_found, ball_best_num, ball_best_det} = ball_best;
+    assign ball_best = ball_best_flat;
 
     rc_sphere u_sphere (
       .clk_i, .rst_ni, .s0_valid_i(in_ball), .s0_any_i(in_any), .s0_leaves_i(in_leaves),
       .s0_own_i(in_own),
       .s0_inside_i(in_inside), .s0_o_i(in.o), .s0_d_i(in.d),
       .s0_c_i(in_a), .s0_rr_i(in_square), .s0_glass_i(in_glass), .best_next_o(best_next),
-      .best_found_i(ball_found), .best_first_i(ball_first), .best_num_i(ball_best_num),
-      .best_det_i(ball_best_det),
+      .best_found_i(ball_best.found), .best_first_i(ball_best.first),
+      .best_num_i(ball_best.num), .best_det_i(ball_best.det),
       .closer_o(ball_closer), .blocked_o(ball_blocked), .far_o(ball_far), .t_o(ball_t));
 
     rc_path_register #(.Width(TBits + 3), .Stages(BallLate)) u_ball_late (
@@ -449,36 +484,58 @@ module rc_tri (
 
     assign closer  = flat_closer || late_closer;
     assign blocked = flat_block || late_blocked;
-    assign hit     = flat_closer ? flat_hit
-                   : (HitW-1)'({late_far, {(NumBits-TBits){1'b0}}, late_t, Unit, ball_prim, late_t,
-                                {(2*UvBits){1'b0}}});
+    assign hit     = flat_closer ? flat_hit : ball_hit;
+
+    assign ball_tail.num  = {{(NumBits-TBits){1'b0}}, late_t};
+    assign ball_tail.det  = Unit;
+    assign ball_tail.prim = ball_prim;
+    if (rc_pkg::Shading) begin : gen_far
+      assign ball_tail.back = late_far;
+    end else begin : gen_no_far
+      logic unused;
+      assign unused = late_far;
+    end
+    if (rc_pkg::HasTextures) begin : gen_no_cutout
+      assign ball_tail.cutout = 1'b0;
+    end
+
+    assign ball_hit.tail = ball_tail;
+    assign ball_hit.t    = late_t;
+    assign ball_hit.u    = '0;
+    assign ball_hit.v    = '0;
   end else begin : gen_no_sphere
     assign closer  = closer_q[Divide-1];
     assign blocked = block_q[Divide-1];
-    assign hit     = {tail, t, u, v};
+    assign hit     = flat_now;
+
+    assign {ball_tail, ball_hit, in_best, ball_best} = '0;
+    logic unused;
+    assign unused = ^{ball_tail, ball_hit, in_best, ball_best};
   end
 
   // Spare cycles.
   logic            end_closer, end_blocked;
-  logic [HitW-2:0] end_hit;
+  logic [HitW-1:0] end_hit;
 
   if (Extra == 0) begin : gen_now
     assign {end_closer, end_blocked, end_hit} = {closer, blocked, hit};
   end else begin : gen_later
-    rc_shift_register #(.Width(HitW + 1), .Stages(Extra)) u_end (
+    rc_shift_register #(.Width(HitW + 2), .Stages(Extra)) u_end (
       .clk_i, .enable_i(enable[Latency-1:Core]), .data_i({closer, blocked, hit}),
       .data_o({end_closer, end_blocked, end_hit}));
   end
 
   // ---- Result queue.
   logic                       queue_ready;
-  logic [rc_pkg::TriRspW-1:0] queue_data, rsp_data;
+  rc_pkg::tri_rsp_parts_t     end_rsp;
+  logic [rc_pkg::TriRspW-1:0] rsp_data;
 
-  assign queue_data = end_closer ? {end_ray, 1'b1, end_hit}
-                                 : {end_ray, end_blocked, {(HitW-1){1'b0}}};
+  assign end_rsp.ray    = end_ray;
+  assign end_rsp.closer = end_closer || end_blocked;
+  assign end_rsp.hit    = end_closer ? end_hit : '0;
 
   rc_fifo #(.Width(rc_pkg::TriRspW), .Depth(rc_pkg::TriQueue)) u_queue (
-    .clk_i, .rst_ni, .valid_i(valid_q[Latency-1]), .ready_o(queue_ready), .data_i(queue_data),
+    .clk_i, .rst_ni, .valid_i(valid_q[Latency-1]), .ready_o(queue_ready), .data_i(end_rsp),
     .valid_o(rsp_valid_o), .ready_i(rsp_ready_i), .data_o(rsp_data));
 
   assign rsp_o = rsp_data;
@@ -494,6 +551,6 @@ module rc_tri (
 
   logic unused;
   assign unused = ^{queue_ready, valid[Latency], enable, flat_enable, in_flat, in_leaves, in_far,
-                    in_plane, in_sphere, pre_back};
+                    in_plane, in_sphere, pre};
 endmodule
 `default_nettype wire

@@ -177,14 +177,14 @@ void frames_options(Parser& parser, FramesOptions& o) {
         .with_default();
 }
 
-void traffic_options(Parser& parser, TrafficOptions& o) {
-    parser.option("--seed", o.seed, "seed of random traffic and of the RTL's registers at start")
+void disturbance_options(Parser& parser, DisturbanceOptions& o) {
+    parser.option("--seed", o.seed, "seed of random delays and stalls, and of the RTL's registers at start")
         .within(1, 1 << 30);
     parser.option("--jitter", o.jitter, "random extra latency of the memory, up to this many cycles");
     parser.option("--stall", o.stall, "percentage of cycles in which memory and output do not accept");
 }
 
-Traffic traffic_of(const TrafficOptions& o) {
+Disturbance disturbance_of(const DisturbanceOptions& o) {
     if (o.jitter < 0 || o.jitter > 100000)
         throw UserError(fmt::format("--jitter must lie in 0..100000, not {}", o.jitter));
     if (o.stall < 0 || o.stall > 99)

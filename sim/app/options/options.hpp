@@ -49,13 +49,13 @@ void netlist_option(Parser& parser, bool& no_netlist);
 void frames_options(Parser& parser, FramesOptions& options);
 
 /// Random disturbances of memory and sink.
-struct TrafficOptions {
+struct DisturbanceOptions {
     std::uint64_t seed = default_seed;
     int jitter = 0, stall = 0;
 };
-void traffic_options(Parser& parser, TrafficOptions& options);
+void disturbance_options(Parser& parser, DisturbanceOptions& options);
 /// Returns the requested disturbances. Throws UserError.
-Traffic traffic_of(const TrafficOptions& options);
+Disturbance disturbance_of(const DisturbanceOptions& options);
 
 /// The destination of the JSON report: a file, standard output without other text, or none.
 struct JsonOutput {

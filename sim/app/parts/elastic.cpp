@@ -42,7 +42,7 @@ void elastic_options(Parser& parser, ElasticChoice& choice) {
     parser.option(
         "--unit-only", choice.alone,
         "run one unit alone on the requests of the frame, with random valid and ready: tri, xform, or "
-        "a unit that decides nodes");
+        "a node unit");
 }
 
 void take_elastic(ElasticChoice& choice, std::string& scene) {

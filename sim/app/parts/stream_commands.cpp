@@ -129,11 +129,11 @@ void check_outputs(const StreamCommand& c) {
 /// Writes the answers as hits if they are requested. Returns false if it was interrupted; nothing is written
 /// then.
 bool write_hits(const StreamCommand& c, const StreamJob& s, const RecordedFrame& frame,
-                const std::vector<Closest>& answers, const FramesAtClock& run, Traffic traffic,
+                const std::vector<Closest>& answers, const FramesAtClock& run, Disturbance disturbance,
                 const Progress& progress) {
     if (!c.stream.hits) return true;
     const std::vector<std::uint64_t> retired =
-        retirements(s.job.config, run.khz, frame, traffic, run.last().cycles, progress);
+        retirements(s.job.config, run.khz, frame, disturbance, run.last().cycles, progress);
     if (interrupted()) return false;
     write_bytes(*c.stream.hits, hits_npy(hits_of(s, answers), retired));
     if (!c.json.is_alone()) fmt::print("  hits: {}\n", printable(*c.stream.hits));
@@ -144,7 +144,7 @@ bool write_hits(const StreamCommand& c, const StreamJob& s, const RecordedFrame&
 
 int simulate_stream(const StreamCommand& c) {
     const Stopwatch watch;
-    const Traffic traffic = traffic_of(c.traffic);
+    const Disturbance disturbance = disturbance_of(c.disturbance);
     check_outputs(c);
     const Progress progress = terminal_progress(), stop = stopping(progress);
     check_clocks(c.clock);
@@ -152,7 +152,7 @@ int simulate_stream(const StreamCommand& c) {
     const Config& config = request.config;
     const std::vector<int> clocks = clocks_of(c.clock, config);
     const StreamJob s = request.input->job(config, stop);
-    const StreamResult run = run_stream(s, clocks, traffic, !c.no_judge, c.threads, progress);
+    const StreamResult run = run_stream(s, clocks, disturbance, !c.no_judge, c.threads, progress);
     const std::vector<FramesAtClock>& runs = run.runs;
     const std::optional<StreamJudgement>& judged = run.judged;
     if (!c.json.is_alone()) {
@@ -161,7 +161,7 @@ int simulate_stream(const StreamCommand& c) {
         if (judged) fmt::print("\n{}", judge_line(*judged));
     }
     const bool partial =
-        run.partial() || !write_hits(c, s, run.frame(), run.answers(), runs[0], traffic, progress);
+        run.partial() || !write_hits(c, s, run.frame(), run.answers(), runs[0], disturbance, progress);
     if (partial && !c.json.is_alone())
         fmt::print("  PARTIAL: interrupted; the figures cover the cycles until then\n");
     c.json.write(simulated_stream_json(s, run, partial, watch.seconds()));
@@ -170,7 +170,7 @@ int simulate_stream(const StreamCommand& c) {
 
 int verify_stream(const StreamCommand& c) {
     const Stopwatch watch;
-    const Traffic traffic = traffic_of(c.traffic);
+    const Disturbance disturbance = disturbance_of(c.disturbance);
     check_outputs(c);
     const int khz = parse_clocks(c.clock)[0];
     const Progress progress = terminal_progress(), stop = stopping(progress);
@@ -183,10 +183,11 @@ int verify_stream(const StreamCommand& c) {
     frames.push_back(record_frame(s.job, s.job.frame, c.threads, stop));
     std::optional<ElasticResult> elastic;
     if (c.elastic)
-        elastic = run_elastic(s.job, frames, parse_free_units(*c.elastic, config), traffic, progress,
-                              int(c.traffic.seed));
+        elastic = run_elastic(s.job, frames, parse_free_units(*c.elastic, config), disturbance, progress,
+                              int(c.disturbance.seed));
     const LockstepResult result =
-        elastic ? as_lockstep(*elastic) : run_lockstep(s.job, frames, traffic, progress, int(c.traffic.seed));
+        elastic ? as_lockstep(*elastic)
+                : run_lockstep(s.job, frames, disturbance, progress, int(c.disturbance.seed));
     const std::vector<FramesAtClock> runs{{khz, {result.model}}};
     bool partial = result.model.partial;
     std::optional<StreamJudgement> judged;
@@ -197,7 +198,7 @@ int verify_stream(const StreamCommand& c) {
                    elastic ? elastic_lines(config, khz, *elastic) : lockstep_lines(result));
         if (judged) fmt::print("{}", judge_line(*judged));
     }
-    partial = partial || !write_hits(c, s, frames[0], result.rtl.answers, runs[0], traffic, progress);
+    partial = partial || !write_hits(c, s, frames[0], result.rtl.answers, runs[0], disturbance, progress);
     const bool good = !partial && result.agrees() && (!judged || judged->wrong == 0);
     if (!c.json.is_alone())
         fmt::print("  {} in {:.1f} s\n",

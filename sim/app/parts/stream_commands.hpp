@@ -63,7 +63,7 @@ struct StreamCommand {
     std::string scene, clock;
     ConfigChoice config;
     StreamChoice stream;
-    TrafficOptions traffic;
+    DisturbanceOptions disturbance;
     bool no_judge = false;
     int threads = 0;
     JsonOutput json;

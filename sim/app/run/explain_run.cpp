@@ -14,9 +14,9 @@ namespace {
 
 /// Observes the last recorded frame. Sets its costs, and returns the story of a pixel.
 PixelStory observed_story(const Job& job, const std::vector<RecordedFrame>& traces, std::size_t pixel,
-                          int khz, Traffic traffic, FrameCosts& costs, const Progress& progress) {
+                          int khz, Disturbance disturbance, FrameCosts& costs, const Progress& progress) {
     PixelEvents in_frame{std::uint32_t(pixel)}, alone{0};
-    costs = observe(job.config, khz, traces, traffic, 0, &in_frame, progress);
+    costs = observe(job.config, khz, traces, disturbance, 0, &in_frame, progress);
     if (costs.partial) throw Interrupted("interrupted: nothing is written");
     observe_alone(job.config, khz, traces.back(), std::uint32_t(pixel), &alone);
     return make_story(job, traces.back(), costs, in_frame, alone);
@@ -36,7 +36,7 @@ void explain_pixel(Film& film, std::size_t pixel, const ExplainSettings& how, co
     const int khz = one_clock_of(how.clock, request.config);
 
     FrameCosts costs;
-    PixelStory story = observed_story(job, traces, pixel, khz, how.traffic, costs, progress);
+    PixelStory story = observed_story(job, traces, pixel, khz, how.disturbance, costs, progress);
     Explanation e{request.config, costs, khz, std::move(story), {}};
     std::vector<FrameError> error;
     if (how.is_compared) {
@@ -59,7 +59,7 @@ void explain_ray(const StreamInput& input, const Config& config, std::size_t ray
     std::vector<RecordedFrame> traces;
     traces.push_back(record_frame(stream.job, stream.job.frame, how.threads, stop));
     FrameCosts costs;
-    PixelStory story = observed_story(stream.job, traces, ray, khz, how.traffic, costs, progress);
+    PixelStory story = observed_story(stream.job, traces, ray, khz, how.disturbance, costs, progress);
     use({stream.job.config, costs, khz, std::move(story), {}}, stream);
 }
 

@@ -15,7 +15,7 @@ namespace rayclock {
 
 /// The way in which a pixel is explained.
 struct ExplainSettings {
-    Traffic traffic{};
+    Disturbance disturbance{};
     std::string clock = "66";   ///< MHz, or fmax
     bool is_compared = true;    ///< with the reference
     bool is_judged = true;      ///< by the exact judge; needs is_compared

@@ -65,8 +65,8 @@ struct FrameSample {
 
 class FrameSampler {
 public:
-    FrameSampler(const Film& film, const std::vector<int>& clocks, Traffic traffic, int threads)
-        : film_(film), clocks_(clocks), traffic_(traffic), threads_(threads) {}
+    FrameSampler(const Film& film, const std::vector<int>& clocks, Disturbance disturbance, int threads)
+        : film_(film), clocks_(clocks), disturbance_(disturbance), threads_(threads) {}
 
     FrameSample run(const sample::Ask& ask, const Upload& upload, const Frame* before,
                     const Progress& progress) const {
@@ -74,9 +74,9 @@ public:
         FrameSample s;
         s.frame.ask = ask;
         for (const sample::Sampled& sampled :
-             sample::run(job, clocks_, ask, traffic_, threads_, progress, before)) {
+             sample::run(job, clocks_, ask, disturbance_, threads_, progress, before)) {
             UploadTiming waits;
-            if (film_.moves()) waits = sample::upload_timing(job.config, sampled.khz(), traffic_, upload);
+            if (film_.moves()) waits = sample::upload_timing(job.config, sampled.khz(), disturbance_, upload);
             s.frame.effort = sampled.effort();
             s.results.push_back(sampled.frame(job.config));
             s.results.back().upload = waits;
@@ -91,7 +91,7 @@ public:
 private:
     const Film& film_;
     const std::vector<int>& clocks_;
-    Traffic traffic_;
+    Disturbance disturbance_;
     int threads_;
 };
 
@@ -117,7 +117,7 @@ std::string shortfall(const SampleChoice& choice, const std::vector<SampledFrame
 }   // namespace
 
 SampledFilm run_sample(Film& film, const std::vector<int>& clocks, const SampleChoice& choice,
-                       std::uint64_t seed, Traffic traffic, int threads, const Stopwatch& watch,
+                       std::uint64_t seed, Disturbance disturbance, int threads, const Stopwatch& watch,
                        const Progress& progress) {
     if (choice.within && film.frames() > 1)
         throw UserError("--within gives the time for one frame; for a film give --sample or --error");
@@ -126,7 +126,7 @@ SampledFilm run_sample(Film& film, const std::vector<int>& clocks, const SampleC
     all.strip.fps = film.times().fps;
     all.strip.times = film.times().times;
     for (const int khz : clocks) all.runs.push_back({khz, {}});
-    const FrameSampler sampler(film, clocks, traffic, threads);
+    const FrameSampler sampler(film, clocks, disturbance, threads);
     for (std::size_t f = 0; f < film.frames(); ++f) {
         const Frame previous = film.job().frame;
         film.next();

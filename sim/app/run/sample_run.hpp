@@ -37,7 +37,7 @@ struct SampledFilm {
 /// independent. If the choice is an error or a time, measures a small sample of each frame first, and repeats
 /// it with more parts if that is necessary or possible. `watch` began with the command.
 SampledFilm run_sample(Film& film, const std::vector<int>& clocks, const SampleChoice& choice,
-                       std::uint64_t seed, Traffic traffic, int threads, const Stopwatch& watch,
+                       std::uint64_t seed, Disturbance disturbance, int threads, const Stopwatch& watch,
                        const Progress& progress);
 
 /// Returns the report with the keys of simulate. Figures are estimates, and `sampling` has their intervals.

@@ -15,7 +15,7 @@ namespace {
 
 /// Replays the same trace once per clock, in parallel.
 std::vector<FramesAtClock> replay_clocks(const Job& job, const std::vector<int>& clocks,
-                                         const std::vector<RecordedFrame>& traces, Traffic traffic,
+                                         const std::vector<RecordedFrame>& traces, Disturbance disturbance,
                                          int threads, const Progress& progress) {
     std::vector<FramesAtClock> runs(clocks.size());
     std::mutex mutex;
@@ -32,7 +32,7 @@ std::vector<FramesAtClock> replay_clocks(const Job& job, const std::vector<int>&
             };
         runs[i].khz = clocks[i];
         const std::vector<FrameTiming> timings =
-            replay(job.config, clocks[i], traces, traffic, replay_progress);
+            replay(job.config, clocks[i], traces, disturbance, replay_progress);
         for (std::size_t f = 0; f < timings.size(); ++f)
             runs[i].frames.push_back(frame_result(traces[f], timings[f]));
     });
@@ -40,11 +40,11 @@ std::vector<FramesAtClock> replay_clocks(const Job& job, const std::vector<int>&
 }
 
 std::vector<FramesAtClock> run_rtl_clocks(const Job& job, const std::vector<int>& clocks,
-                                          const std::vector<RecordedFrame>& traces, Traffic traffic, int seed,
-                                          const Progress& progress) {
+                                          const std::vector<RecordedFrame>& traces, Disturbance disturbance,
+                                          int seed, const Progress& progress) {
     std::vector<FramesAtClock> runs;
     for (const int khz : clocks) {
-        runs.push_back({khz, run_rtl(job, khz, traces, traffic, progress, seed)});
+        runs.push_back({khz, run_rtl(job, khz, traces, disturbance, progress, seed)});
         if (runs.back().partial()) break;
     }
     return runs;
@@ -61,7 +61,7 @@ SimulateResult run_simulation(const SimulateSettings& how, const SimulateInput& 
     if (s.is_on_model() && work.clocks.size() == 1 && film.frames() == 1 && !film.moves()) {
         film.next();
         const std::vector<FrameTiming> timings =
-            record_and_replay(work.job(), work.clocks[0], s.traces, how.traffic, how.threads, progress);
+            record_and_replay(work.job(), work.clocks[0], s.traces, how.disturbance, how.threads, progress);
         s.runs.push_back({work.clocks[0], {frame_result(s.traces[0], timings[0])}});
     } else {
         s.strip =
@@ -69,8 +69,8 @@ SimulateResult run_simulation(const SimulateSettings& how, const SimulateInput& 
                         stopping(progress), s.traces);
         s.runs =
             s.is_on_model()
-                ? replay_clocks(work.job(), work.clocks, s.traces, how.traffic, how.threads, progress)
-                : run_rtl_clocks(work.job(), work.clocks, s.traces, how.traffic, int(how.seed), progress);
+                ? replay_clocks(work.job(), work.clocks, s.traces, how.disturbance, how.threads, progress)
+                : run_rtl_clocks(work.job(), work.clocks, s.traces, how.disturbance, int(how.seed), progress);
     }
     s.partial = s.runs.size() < work.clocks.size() ||
                 std::any_of(s.runs.begin(), s.runs.end(), [](const FramesAtClock& r) { return r.partial(); });

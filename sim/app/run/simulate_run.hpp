@@ -20,7 +20,7 @@ namespace rayclock {
 /// The way in which a simulation runs.
 struct SimulateSettings {
     Tracer tracer = Tracer::model;   ///< the model or the RTL
-    Traffic traffic{};               ///< disturbances of memory and sink
+    Disturbance disturbance{};       ///< disturbances of memory and sink
     std::uint64_t seed = 1;          ///< of the RTL's uninitialised registers
     bool is_compared = true;         ///< the last frame with the reference
     bool is_judged = true;           ///< by the exact judge; needs is_compared

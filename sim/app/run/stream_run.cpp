@@ -36,14 +36,14 @@ Config rays_config(const ConfigChoice& choice, const Scene& scene, std::vector<s
                                                            : load_config(choice);
 }
 
-StreamResult run_stream(const StreamJob& stream, const std::vector<int>& clocks, Traffic traffic,
+StreamResult run_stream(const StreamJob& stream, const std::vector<int>& clocks, Disturbance disturbance,
                         bool is_judged, int threads, const Progress& progress) {
     const Progress stop = stopping(progress);
     const Job& job = stream.job;
     StreamResult run;
     run.frames.push_back(record_frame(job, job.frame, threads, stop));
     for (const int khz : clocks) {
-        const std::vector<FrameTiming> timings = replay(job.config, khz, run.frames, traffic, progress);
+        const std::vector<FrameTiming> timings = replay(job.config, khz, run.frames, disturbance, progress);
         run.runs.push_back({khz, {frame_result(run.frame(), timings[0])}});
         if (run.partial()) return run;
     }

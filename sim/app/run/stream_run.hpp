@@ -35,7 +35,7 @@ struct StreamResult {
     bool partial() const { return runs.back().partial(); }
 };
 /// Runs a stream on the model at each clock. The result is partial if Ctrl-C stopped it.
-StreamResult run_stream(const StreamJob& stream, const std::vector<int>& clocks, Traffic traffic,
+StreamResult run_stream(const StreamJob& stream, const std::vector<int>& clocks, Disturbance disturbance,
                         bool is_judged, int threads, const Progress& progress);
 
 /// Returns the report's entry for the rays of a stream, without their answers.

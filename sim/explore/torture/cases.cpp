@@ -15,19 +15,19 @@ namespace {
 
 /// Sets the memory, clock and disturbances of case `number`; six sets take turns.
 void disturb(TortureCase& t, int number) {
-    struct Disturbance {
+    struct Surroundings {
         DramName dram;
         int latency, interval, khz;
-        Traffic traffic;
+        Disturbance disturbance;
     };
-    static const Disturbance all[] = {
+    static const Surroundings all[] = {
         {DramName::ideal, 1, 1, 66000, {}},        {DramName::ideal, 40, 3, 66000, {60, 0, 5}},
         {DramName::ddr3, 8, 1, 66000, {0, 60, 6}}, {DramName::ideal, 7, 1, 66000, {15, 85, 7}},
         {DramName::sdr, 8, 1, 200000, {}},         {DramName::rpu, 8, 1, 33000, {9, 20, 8}}};
-    const Disturbance& d = all[std::size_t(number) % std::size(all)];
+    const Surroundings& d = all[std::size_t(number) % std::size(all)];
     t.job.config.dram = d.dram, t.job.config.mem_latency = d.latency, t.job.config.mem_interval = d.interval;
     t.job.khz = d.khz;
-    t.traffic = d.traffic;
+    t.disturbance = d.disturbance;
     t.seed = number + 1;
 }
 

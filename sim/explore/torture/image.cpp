@@ -260,7 +260,7 @@ namespace {
 
 /// Draws a plane of a node, in any direction if the engine's planes have one.
 template <class Engine> void set_plane(typename Engine::Node& node, std::size_t plane, Dice& dice) {
-    cells::Cell cell;
+    space_cells::Cell cell;
     if constexpr (requires { node.normal; }) {
         const std::int32_t most = max_of(normal_step_bits);
         cell.normal = dice.percent(50) ? dice.point(most) : dice.near({}, 3, most);
@@ -268,7 +268,8 @@ template <class Engine> void set_plane(typename Engine::Node& node, std::size_t 
     } else {
         const std::uint32_t axis = cell.axis = std::uint32_t(dice.below(3));
         cell.at = dice.between(node.lo[axis], node.hi[axis]);
-        cell.lower = std::make_unique<cells::Cell>(), cell.upper = std::make_unique<cells::Cell>();
+        cell.lower = std::make_unique<space_cells::Cell>(),
+        cell.upper = std::make_unique<space_cells::Cell>();
         cell.lower->bounds.hi[axis] = cell.at;   // the second of a pair of planes makes a gap or an overlap
         cell.upper->bounds.lo[axis] = node.lo[axis] + node.hi[axis] - cell.at;
     }

@@ -55,8 +55,8 @@ std::vector<StreamChip> random_stream_chips(const StreamInput& input, std::uint6
                 last = e.what();
             }
             chip.khz = 20000 + dice.below(500000);
-            chip.traffic = {dice.below(2) * dice.below(100), dice.below(2) * dice.below(80),
-                            dice.next() >> 8};
+            chip.disturbance = {dice.below(2) * dice.below(100), dice.below(2) * dice.below(80),
+                                dice.next() >> 8};
         }
         if (!found)
             throw UserError(fmt::format(
@@ -71,7 +71,8 @@ StreamChipRun run_stream_chip(const StreamInput& input, const StreamChip& chip, 
     stream.job.khz = chip.khz;
     std::vector<RecordedFrame> frames;
     frames.push_back(record_frame(stream.job, stream.job.frame, 1, progress));
-    StreamChipRun run{run_lockstep(stream.job, frames, chip.traffic, progress, int(chip.seed)), std::nullopt};
+    StreamChipRun run{run_lockstep(stream.job, frames, chip.disturbance, progress, int(chip.seed)),
+                      std::nullopt};
     if (!run.lockstep.model.partial) run.judged = judge_stream(stream, run.lockstep.rtl.answers, 1, progress);
     return run;
 }

@@ -14,7 +14,7 @@ struct StreamChip {
     std::uint64_t seed = 1;
     Config config;
     int khz = default_khz;
-    Traffic traffic;
+    Disturbance disturbance;
 };
 /// Draws chips that can hold the scene and the rays, each with its own RTL. The chip number i depends only on
 /// the input and on seed + i. A list without a tree is drawn only if the scene or the stream is small. Throws

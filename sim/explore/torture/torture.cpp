@@ -165,7 +165,7 @@ std::vector<RecordedFrame> record_torture(const TortureCase& torture) {
 }
 
 LockstepResult run_torture(const TortureCase& torture, const Progress& progress) {
-    return run_lockstep(torture.job, record_torture(torture), torture.traffic, progress, torture.seed);
+    return run_lockstep(torture.job, record_torture(torture), torture.disturbance, progress, torture.seed);
 }
 
 }   // namespace rayclock

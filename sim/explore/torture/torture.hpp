@@ -1,7 +1,7 @@
 #pragma once
 // The torture set: small scenes and frames that reach the corner cases of the machine in lockstep. It has few
 // configurations, so little RTL is built. Each draws many frames with different registers, memories, clocks
-// and traffic.
+// and disturbance.
 #include <string>
 #include <vector>
 
@@ -15,7 +15,7 @@ struct TortureCase {
     Job job;
     std::vector<Frame> frames;
     std::vector<Upload> uploads{};   ///< the host's writes before each frame; empty if there are none
-    Traffic traffic;
+    Disturbance disturbance;
     int seed = 1;   ///< seed of the RTL's registers before reset
 };
 

@@ -62,13 +62,13 @@ struct CameraPolicy {
 struct ByMachine : CameraPolicy {
     using Order = ByDistance;
     ExtraVisits* count;
-    std::uint32_t t_best = beyond(config);
+    std::uint32_t t_best_ = beyond(config);
 
     static std::uint32_t beyond(const Config& config) { return (1u << config.t_bits()) - 1; }
-    std::uint32_t t() const { return t_best; }
+    std::uint32_t t_best() const { return t_best_; }
     void test(std::uint32_t half_line) {
         TriRsp rsp;
-        if (meets(half_line, rsp)) t_best = rsp.t;
+        if (meets(half_line, rsp)) t_best_ = rsp.t;
     }
     const WideNode& boxes(std::uint32_t line, std::uint32_t* t_near, std::uint32_t& hits) const {
         const WideNode& node = decoder.node<bvh::Engine>(line);
@@ -116,12 +116,12 @@ struct Exactly {
 struct ByOracle : CameraPolicy {
     using Order = Exactly;
     const Boxes* real;
-    Exactly::Time t_best = Exactly::beyond();
+    Exactly::Time t_best_ = Exactly::beyond();
 
-    const Exactly::Time& t() const { return t_best; }
+    const Exactly::Time& t_best() const { return t_best_; }
     void test(std::uint32_t half_line) {
         TriRsp rsp;
-        if (meets(half_line, rsp)) t_best = {{std::int64_t(rsp.num), std::int64_t(rsp.det)}};
+        if (meets(half_line, rsp)) t_best_ = {{std::int64_t(rsp.num), std::int64_t(rsp.det)}};
     }
     const WideNode& boxes(std::uint32_t line, Exactly::Time* t_near, std::uint32_t& hits) const {
         const WideNode& node = decoder.node<bvh::Engine>(line);

@@ -31,9 +31,9 @@ struct DaePoseFaults {
 class DaeControllers {
 public:
     /// The place of each node, with the document's up axis turned to y.
-    using Places = std::map<const XmlElement*, glm::dmat4>;
+    using NodePlaces = std::map<const XmlElement*, glm::dmat4>;
 
-    DaeControllers(DaeDocument& document, const Places& places) : document_(document), places_(places) {}
+    DaeControllers(DaeDocument& document, const NodePlaces& places) : document_(document), places_(places) {}
 
     /// Returns the pose of an <instance_controller>. Throws UserError if the document is wrong.
     DaePose pose(const XmlElement& instance);
@@ -55,7 +55,7 @@ private:
     const DaePoints* positions(const XmlElement* geometry);
 
     DaeDocument& document_;
-    const Places& places_;
+    const NodePlaces& places_;
     DaePoseFaults faults_;
     std::map<const XmlElement*, Names> names_;   ///< nodes by their sids, below a root
 };

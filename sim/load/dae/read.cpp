@@ -189,7 +189,7 @@ private:
     DaeDocument document_;
     Assembly assembly_;
     DaeMaterials materials_;
-    DaeControllers::Places places_;
+    DaeControllers::NodePlaces places_;
     DaeControllers controllers_;
     DaeGeometries geometries_;
     std::map<std::pair<const XmlElement*, DaeSets>, std::vector<DaePart>> parts_;   // by geometry and sets

@@ -27,13 +27,13 @@ constexpr std::uint64_t cycles_between_progress = 1 << 14;
 
 class Elastic {
 public:
-    Elastic(const Job& job, const std::vector<RecordedFrame>& frames, const FreeUnits& free, Traffic traffic,
-            int seed)
+    Elastic(const Job& job, const std::vector<RecordedFrame>& frames, const FreeUnits& free,
+            Disturbance disturbance, int seed)
         : job_(job),
           frames_(frames),
-          limit_(patience(job.config, job.khz, traffic)),
-          model_(job.config, job.khz, traffic),
-          rtl_(job.image, job.config, job.khz, traffic, seed),
+          limit_(patience(job.config, job.khz, disturbance)),
+          model_(job.config, job.khz, disturbance),
+          rtl_(job.image, job.config, job.khz, disturbance, seed),
           image_(job.image),
           rays_(job_.config, rtl_, free, findings_),
           lines_(job_.config, rtl_, findings_),
@@ -99,11 +99,11 @@ private:
                 throw std::runtime_error(fmt::format("nothing has moved for {} cycles at cycle {}\n{}",
                                                      limit_, model_.cycle(), describe_stuck_rays(model_)));
             if (progress && model_.cycle() % cycles_between_progress == 0)
-                progress("model", model_.hits(), script.size());
+                progress("model", model_.finished_pixels(), script.size());
         }
         result_.model =
             frame_result(job_, frame.frame,
-                         {model_.cycle() - first, model_.hits(), model_.accounts() - accounts,
+                         {model_.cycle() - first, model_.finished_pixels(), model_.accounts() - accounts,
                           model_.memory().stats() - memory, watch.seconds(), !model_.done(), upload},
                          work(frame), frame.trace.hits, frame.trace.colours);
         result_.runs.push_back(frame_result(frame, result_.model));
@@ -138,7 +138,7 @@ private:
             accounts = rtl_.accounts();
         });
         result_.rtl = frame_result(job_, frame.frame,
-                                   {cycles, rtl_.hits(), accounts, rtl_.memory().stats() - memory,
+                                   {cycles, rtl_.finished_pixels(), accounts, rtl_.memory().stats() - memory,
                                     watch.seconds(), interrupted() && !rtl_.done(), upload},
                                    work(frame), hits.hits(), hits.colours());
         if (is_done && f + 1 == frames_.size()) guarded([&] { drain(); });
@@ -160,7 +160,8 @@ private:
             if (findings_.first && give_up == 0) give_up = now + 4 * result_.model.cycles + limit_;
             if (now - rays_.moved_at() > limit_ || (give_up > 0 && now > give_up)) return false;
             rtl_.clock([&](const HitOut& hit) { hits.add(hit); });
-            if (progress && now % cycles_between_progress == 0) progress("rtl", rtl_.hits(), pixels);
+            if (progress && now % cycles_between_progress == 0)
+                progress("rtl", rtl_.finished_pixels(), pixels);
         }
         return true;
     }
@@ -277,14 +278,14 @@ private:
 }   // namespace
 
 ElasticResult run_elastic(const Job& job, const std::vector<RecordedFrame>& frames, const FreeUnits& free,
-                          Traffic traffic, const Progress& progress, int seed) {
-    return Elastic(job, frames, free, traffic, seed).run(progress);
+                          Disturbance disturbance, const Progress& progress, int seed) {
+    return Elastic(job, frames, free, disturbance, seed).run(progress);
 }
 
-ElasticResult run_elastic(const Job& job, Traffic traffic, const Progress& progress, int seed) {
+ElasticResult run_elastic(const Job& job, Disturbance disturbance, const Progress& progress, int seed) {
     std::vector<RecordedFrame> frames;
     frames.push_back(record_frame(job, job.frame));
-    return run_elastic(job, frames, parse_free_units("all", job.config), traffic, progress, seed);
+    return run_elastic(job, frames, parse_free_units("all", job.config), disturbance, progress, seed);
 }
 
 std::string unit_names(const Config& config) {

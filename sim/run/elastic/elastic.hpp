@@ -28,8 +28,9 @@ struct ElasticResult {
 /// RTL moves for patience() cycles. Then the transfer that has been due longest counts as a difference.
 /// Throws std::runtime_error if the model hangs.
 ElasticResult run_elastic(const Job& job, const std::vector<RecordedFrame>& frames, const FreeUnits& free,
-                          Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
-ElasticResult run_elastic(const Job& job, Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
+                          Disturbance disturbance = {}, const Progress& progress = {}, int seed = 1);
+ElasticResult run_elastic(const Job& job, Disturbance disturbance = {}, const Progress& progress = {},
+                          int seed = 1);
 
 /// Returns the units of a chip, for messages: "sched, raygen, ...".
 std::string unit_names(const Config& config);

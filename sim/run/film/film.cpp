@@ -96,7 +96,7 @@ Camera Film::camera_of(std::size_t f, const std::optional<Camera>& moving) const
 
 /// Visits all times once, because the lattice must cover all of them.
 void Film::prepare_levels() {
-    std::vector<Places> times;
+    std::vector<InstancePlaces> times;
     ShapeBounds shapes(placed_.motion.deforming.empty() ? 0 : placed_.meshes.size());
     std::vector<glm::dvec3> eyes;
     for (std::size_t f = 0; f < frames(); ++f) {

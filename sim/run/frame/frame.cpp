@@ -134,9 +134,9 @@ RecordedFrame record_frame(const Job& job, const Frame& frame, int threads, cons
 }
 
 std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector<RecordedFrame>& frames,
-                                Traffic traffic, const Progress& progress) {
-    const std::uint64_t limit = patience(config, khz, traffic);
-    Machine machine(config, khz, traffic);
+                                Disturbance disturbance, const Progress& progress) {
+    const std::uint64_t limit = patience(config, khz, disturbance);
+    Machine machine(config, khz, disturbance);
     std::vector<FrameTiming> timings;
     for (std::size_t f = 0; f < frames.size(); ++f) {
         const RecordedFrame& frame = frames[f];
@@ -151,12 +151,14 @@ std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector
             if (machine.quiet() > limit)
                 throw std::runtime_error(fmt::format(
                     "model: nothing has moved for {} cycles at cycle {}, with {} of {} pixels done\n{}",
-                    machine.quiet(), machine.cycle(), machine.hits(), pixels, describe_stuck_rays(machine)));
+                    machine.quiet(), machine.cycle(), machine.finished_pixels(), pixels,
+                    describe_stuck_rays(machine)));
             if (progress)
-                progress(with_rate("model", machine.cycle() - first, watch), machine.hits(), pixels);
+                progress(with_rate("model", machine.cycle() - first, watch), machine.finished_pixels(),
+                         pixels);
         } while (!machine.done() && !interrupted());
         FrameTiming timing{machine.cycle() - first,
-                           machine.hits(),
+                           machine.finished_pixels(),
                            machine.accounts() - accounts,
                            machine.memory().stats() - memory,
                            watch.seconds(),
@@ -204,7 +206,7 @@ FrameResult frame_result(const Job& job, const Frame& frame, const FrameTiming& 
 }
 
 std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<RecordedFrame>& frames,
-                                           Traffic traffic, int threads, const Progress& progress) {
+                                           Disturbance disturbance, int threads, const Progress& progress) {
     frames = std::vector<RecordedFrame>(1);
     frames[0].frame = job.frame;
     const int cores = threads > 0 ? threads : int(std::max(1u, std::thread::hardware_concurrency()));
@@ -212,7 +214,7 @@ std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<
     if (cores == 1) recording.finish();
     std::vector<FrameTiming> timings;
     try {
-        timings = replay(job.config, khz, frames, traffic, progress);
+        timings = replay(job.config, khz, frames, disturbance, progress);
     } catch (...) {
         if (frames[0].trace.failed.load()) recording.finish();   // rethrows the cause
         throw;
@@ -222,9 +224,10 @@ std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<
     return timings;
 }
 
-FrameResult run_model(const Job& job, Traffic traffic, const Progress& progress) {
+FrameResult run_model(const Job& job, Disturbance disturbance, const Progress& progress) {
     std::vector<RecordedFrame> frames;
-    const std::vector<FrameTiming> timings = record_and_replay(job, job.khz, frames, traffic, 0, progress);
+    const std::vector<FrameTiming> timings =
+        record_and_replay(job, job.khz, frames, disturbance, 0, progress);
     return frame_result(job, job.frame, timings[0], work_of(frames[0], timings[0]),
                         std::move(frames[0].trace.hits), std::move(frames[0].trace.colours));
 }
@@ -248,14 +251,14 @@ FrameResult run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& fram
         if (quiet > limit)
             throw std::runtime_error(
                 fmt::format("rtl: nothing has moved for {} cycles at cycle {}, with {} of {} pixels done",
-                            limit, machine.cycle(), machine.hits(), pixels));
+                            limit, machine.cycle(), machine.finished_pixels(), pixels));
         if (progress && machine.cycle() % cycles_between_reports == 0)
-            progress(with_rate("rtl", machine.cycle() - first, watch), machine.hits(), pixels);
+            progress(with_rate("rtl", machine.cycle() - first, watch), machine.finished_pixels(), pixels);
     }
     if (progress) progress("rtl", pixels, pixels);
     const Accounts& accounts = machine.accounts();   // for an interrupted frame, these count two more cycles
     const FrameTiming timing{machine.done() ? machine.cycle() - first : machine.counted_cycles(),
-                             machine.hits(),
+                             machine.finished_pixels(),
                              accounts,
                              machine.memory().stats() - memory,
                              watch.seconds(),
@@ -274,23 +277,23 @@ FrameResult run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& fram
 }   // namespace
 
 std::vector<FrameResult> run_rtl(const Job& job, int khz, std::span<const RecordedFrame> frames,
-                                 Traffic traffic, const Progress& progress, int seed) {
-    RtlMachine machine(job.image, job.config, khz, traffic, seed);
+                                 Disturbance disturbance, const Progress& progress, int seed) {
+    RtlMachine machine(job.image, job.config, khz, disturbance, seed);
     std::vector<FrameResult> runs;
     for (std::size_t f = 0; f < frames.size(); ++f) {
         machine.change(frames[f].upload);
         const UploadTiming upload = prepare_frame(machine, f, frames);
-        runs.push_back(run_rtl_frame(machine, job, frames[f].frame, patience(job.config, khz, traffic),
+        runs.push_back(run_rtl_frame(machine, job, frames[f].frame, patience(job.config, khz, disturbance),
                                      upload, progress));
         if (runs.back().partial) break;
     }
     return runs;
 }
 
-FrameResult run_rtl(const Job& job, Traffic traffic, const Progress& progress, int seed) {
+FrameResult run_rtl(const Job& job, Disturbance disturbance, const Progress& progress, int seed) {
     std::vector<RecordedFrame> one(1);
     one[0].frame = job.frame;
-    return std::move(run_rtl(job, job.khz, one, traffic, progress, seed)[0]);
+    return std::move(run_rtl(job, job.khz, one, disturbance, progress, seed)[0]);
 }
 
 HitFrame scaled(const Job& job, const Frame& frame, const std::vector<Closest>& hits) {
@@ -342,11 +345,11 @@ std::uint64_t digest_of(const std::vector<Closest>& hits, std::uint64_t cycles, 
     return digest.value();
 }
 
-std::uint64_t patience(const Config& config, int khz, const Traffic& traffic) {
+std::uint64_t patience(const Config& config, int khz, const Disturbance& disturbance) {
     std::uint64_t cycles = std::uint64_t(config.mem_latency + config.mem_interval);
     if (const DramPart* part = config.dram_part())
         cycles += std::uint64_t(longest_pause_ps(*part)) * std::uint64_t(khz) / 1'000'000'000;
-    return 20000 + 10 * (cycles + std::uint64_t(traffic.jitter));
+    return 20000 + 10 * (cycles + std::uint64_t(disturbance.jitter));
 }
 
 }   // namespace rayclock

@@ -97,17 +97,17 @@ RecordedFrame record_frame(const Job& job, const Frame& frame, int threads = 0,
 /// `config`'s timing may differ from those of the recorded job. Stops early, with the last frame partial,
 /// once interrupted(). Throws std::runtime_error if the machine hangs.
 std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector<RecordedFrame>& frames,
-                                Traffic traffic = {}, const Progress& progress = {});
+                                Disturbance disturbance = {}, const Progress& progress = {});
 
 /// Replays the job's frame while it is being recorded. `frames` receives the recorded frame.
 std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<RecordedFrame>& frames,
-                                           Traffic traffic = {}, int threads = 0,
+                                           Disturbance disturbance = {}, int threads = 0,
                                            const Progress& progress = {});
 
 /// Renders frames on the RTL. The RTL computes them itself and reads none of their traces. Throws
 /// std::runtime_error if it hangs or puts an impossible value on a link.
 std::vector<FrameResult> run_rtl(const Job& job, int khz, std::span<const RecordedFrame> frames,
-                                 Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
+                                 Disturbance disturbance = {}, const Progress& progress = {}, int seed = 1);
 
 /// Builds a frame's result from its cost, the work of its rays and their answers.
 FrameResult frame_result(const Job& job, const Frame& frame, const FrameTiming& timing, const RayWork& work,
@@ -124,8 +124,9 @@ inline double rays_of(const FrameResult& run) {
 }
 
 /// Renders one frame: run_model() records and replays it, run_rtl() computes it on the RTL.
-FrameResult run_model(const Job& job, Traffic traffic = {}, const Progress& progress = {});
-FrameResult run_rtl(const Job& job, Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
+FrameResult run_model(const Job& job, Disturbance disturbance = {}, const Progress& progress = {});
+FrameResult run_rtl(const Job& job, Disturbance disturbance = {}, const Progress& progress = {},
+                    int seed = 1);
 
 /// Returns the hits of a recorded frame.
 HitFrame hits_of(const Job& job, const RecordedFrame& frame);
@@ -160,6 +161,6 @@ HitFrame scaled(const Job& job, const Frame& frame, const std::vector<Closest>& 
 
 /// Returns the number of cycles of this clock without any transfer after which a run is given up. It is ten
 /// times the longest time that the memory takes to answer.
-std::uint64_t patience(const Config& config, int khz, const Traffic& traffic);
+std::uint64_t patience(const Config& config, int khz, const Disturbance& disturbance);
 
 }   // namespace rayclock

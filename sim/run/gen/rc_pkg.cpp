@@ -125,7 +125,7 @@ std::string host_constants(const Config& config) {
     text += constant("CounterBits", counter_bits) + constant("PipelineUnits", pipeline_units);
     for (std::size_t u = 0; u < pipeline_units; ++u)   // the place of a unit's cause; node units follow
         if (!is_node_unit(Unit(u))) text += constant(camel(unit_infos[u].name) + "Unit", std::uint32_t(u));
-    text += constant("DecideUnit", std::uint32_t(index(node_unit(config.engine()).unit)));
+    text += constant("NodeUnit", std::uint32_t(index(node_unit(config.engine()).unit)));
     text += constant("MeshUnit", std::uint32_t(index(node_unit(config.lower_engine()).unit)));
     return text + constant("SharedUnits", shared_units) + list("UnitsThere", units, 1);
 }
@@ -263,6 +263,9 @@ const Names look_group{"diffuse", "highlight", "mirror", "shine", "ambient", "re
 const Names bend_group{"transmit", "ratio", "schlick", "r0"};
 const Names self_group{"self", "is_inside"};
 
+// The part of a hit that waits in tri for the divisions.
+const Names tri_tail{"cutout", "back", "num", "det", "prim"};
+
 /// Returns the width of those fields of a payload that have one of these names.
 template <class Payload> int width_of(const Config& config, std::vector<std::string_view> fields) {
     check_names<Payload>(fields);
@@ -281,7 +284,7 @@ void group_records(Package& p, const Config& c) {
         p.groups((name + "_ray").c_str(), {{"o", o}, {"others", fields - o}}, fields);
     };
     p.say("Requests for nodes, whose fields depend on the structure, and the ray in them; list's request.");
-    node_request("decide", c.engine());
+    node_request("node_unit", c.engine());
     node_request("mesh", c.lower_engine());
     const int primitive = bits_of<PrimData>(c), best = bits_of<Best>(c) - 1, tri = bits_of<TriReq>(c);
     p.groups("tri_req_parts",
@@ -291,6 +294,13 @@ void group_records(Package& p, const Config& c) {
               {"found", 1},
               {"best", best}},
              tri);
+
+    const int rsp = bits_of<TriRsp>(c), tail = width_of<TriRsp>(c, tri_tail), hit = rsp - ray - 1;
+    p.say("tri's answer, the part of a hit that waits for the divisions, and the primitive's number.");
+    p.groups("tri_rsp_parts", {{"ray", ray}, {"closer", 1}, {"hit", hit}}, rsp);
+    p.groups("tri_hit", {{"tail", tail}, {"t", c.t_bits()}, {"u", c.uv_bits()}, {"v", c.uv_bits()}}, hit);
+    const int cutout = c.has_textures() ? 1 : 0;
+    p.groups("tri_number", {{"cutout", cutout}, {"prim", c.prim_bits}, {"any", 1}}, cutout + c.prim_bits + 1);
 
     p.say("A group of siblings on a ray's stack: all except the nearest, which was visited.");
     const int siblings = c.node_width - 1;
@@ -333,6 +343,12 @@ void parts(Package& p, const Config& config) {
     p.part<Leaves>("leaf_group", {"base", "leaves", "t_near", "offset", "count"});
     p.part<TriReq>("best", {"best_num", "best_det", "best_prim"});
     p.part<Closest>("stored_hit", {"cutout", "back", "prim", "t", "u", "v"});
+    p.part<TriRsp>("tri_tail", tri_tail);
+
+    p.say("The fields of a ray that a node unit takes, in their three forms.");
+    p.part<BoxReq>("signs_ray", {"o", "neg", "recip", "len"});
+    p.part<SlantReq>("along_ray", {"o", "recip", "len", "along"});
+    p.part<GlobeReq>("toward_ray", {"o", "toward", "len"});
 
     p.say("Fields of a ray that raygen and xform delay unchanged, and that trav stores for xform.");
     p.part<Spawn>("spawn_tag",
@@ -639,7 +655,7 @@ void enumerations(Package& p) {
             unit.causes.back().kind == CauseKind::none)
             p.causes(unit.name, unit);
     }
-    p.causes("decide", unit_infos[index(node_units[0].unit)]);   // for all node units
+    p.causes("node_unit", unit_infos[index(node_units[0].unit)]);   // for all node units
 }
 
 }   // namespace

@@ -47,7 +47,7 @@ inline std::string port_of(Link link, std::string_view unit, const Config& confi
     if (link == Link::hit && unit == "list") return "closest";
     if ((link == Link::hit || link == Link::closest) && unit == "trav") return "done";
     if (is_node_request(link) && unit == "trav")
-        return link == node_unit(config.engine()).req ? "decide_req" : "mesh_req";
+        return link == node_unit(config.engine()).req ? "node_unit_req" : "mesh_req";
     return link_infos[index(link)].name;
 }
 

@@ -52,14 +52,14 @@ std::optional<CounterDifference> first_difference(const Accounts& model, const A
 class Lockstep {
 public:
     using OnFirst = std::function<void(const Divergence&)>;
-    Lockstep(const Job& job, const std::vector<RecordedFrame>& frames, Traffic traffic, int seed,
+    Lockstep(const Job& job, const std::vector<RecordedFrame>& frames, Disturbance disturbance, int seed,
              const OnFirst& on_first)
         : job_(job),
           frames_(frames),
-          traffic_(traffic),
+          disturbance_(disturbance),
           on_first_(on_first),
-          model_(job.config, job.khz, traffic),
-          rtl_(job.image, job.config, job.khz, traffic, seed),
+          model_(job.config, job.khz, disturbance),
+          rtl_(job.image, job.config, job.khz, disturbance, seed),
           image_(job.image),
           payloads_(std::in_place, image_, job.config) {}
 
@@ -105,7 +105,7 @@ private:
 
     void run_frame(const RecordedFrame& frame, const Progress& progress) {
         const std::uint64_t pixels = frame.trace.rays.size(),
-                            limit = patience(job_.config, job_.khz, traffic_);
+                            limit = patience(job_.config, job_.khz, disturbance_);
         const std::uint64_t first = model_.cycle();
         const Accounts accounts = model_.accounts();
         const MemoryStats memory = model_.memory().stats();
@@ -120,7 +120,8 @@ private:
             if (model_.quiet() > limit)
                 throw std::runtime_error(fmt::format("nothing has moved for {} cycles at cycle {}\n{}", limit,
                                                      model_.cycle(), describe_stuck_rays(model_)));
-            if (progress && model_.cycle() % (1 << 14) == 0) progress("model and rtl", model_.hits(), pixels);
+            if (progress && model_.cycle() % (1 << 14) == 0)
+                progress("model and rtl", model_.finished_pixels(), pixels);
         }
         if (diverged_)
             run_apart(limit, hits);
@@ -128,11 +129,12 @@ private:
             check_end();
         report_first();
         if (progress) progress("model and rtl", pixels, pixels);
-        result_.model = run_of(frame, model_.cycle() - first, model_.hits(), model_.accounts() - accounts,
-                               model_.memory().stats() - memory, frame.trace.hits, frame.trace.colours);
-        result_.rtl =
-            run_of(frame, rtl_.cycle() - first, rtl_.hits(), diverged_ ? Accounts{} : rtl_.accounts(),
-                   rtl_.memory().stats() - memory, hits.hits(), hits.colours());
+        result_.model =
+            run_of(frame, model_.cycle() - first, model_.finished_pixels(), model_.accounts() - accounts,
+                   model_.memory().stats() - memory, frame.trace.hits, frame.trace.colours);
+        result_.rtl = run_of(frame, rtl_.cycle() - first, rtl_.finished_pixels(),
+                             diverged_ ? Accounts{} : rtl_.accounts(), rtl_.memory().stats() - memory,
+                             hits.hits(), hits.colours());
         result_.cycle_gap +=
             model_.cycle() > rtl_.cycle() ? model_.cycle() - rtl_.cycle() : rtl_.cycle() - model_.cycle();
         if (stopped_ && !diverged_)
@@ -381,7 +383,7 @@ private:
 
     const Job& job_;
     const std::vector<RecordedFrame>& frames_;
-    Traffic traffic_;
+    Disturbance disturbance_;
     const OnFirst& on_first_;
     bool reported_ = false;
     double report_seconds_ = 0;   // spent in on_first_, on the host
@@ -416,16 +418,16 @@ private:
 
 }   // namespace
 
-LockstepResult run_lockstep(const Job& job, const std::vector<RecordedFrame>& frames, Traffic traffic,
+LockstepResult run_lockstep(const Job& job, const std::vector<RecordedFrame>& frames, Disturbance disturbance,
                             const Progress& progress, int seed,
                             const std::function<void(const Divergence&)>& on_first) {
-    return Lockstep(job, frames, traffic, seed, on_first).run(progress);
+    return Lockstep(job, frames, disturbance, seed, on_first).run(progress);
 }
 
-LockstepResult run_lockstep(const Job& job, Traffic traffic, const Progress& progress, int seed) {
+LockstepResult run_lockstep(const Job& job, Disturbance disturbance, const Progress& progress, int seed) {
     std::vector<RecordedFrame> frames;
     frames.push_back(record_frame(job, job.frame));
-    return run_lockstep(job, frames, traffic, progress, seed);
+    return run_lockstep(job, frames, disturbance, progress, seed);
 }
 
 }   // namespace rayclock

@@ -65,10 +65,10 @@ struct LockstepResult {
 ///
 /// Calls `on_first` once with the first divergence, as soon as it is found; only `later` is unknown then.
 /// Throws std::runtime_error if the model hangs.
-LockstepResult run_lockstep(const Job& job, const std::vector<RecordedFrame>& frames, Traffic traffic = {},
-                            const Progress& progress = {}, int seed = 1,
+LockstepResult run_lockstep(const Job& job, const std::vector<RecordedFrame>& frames,
+                            Disturbance disturbance = {}, const Progress& progress = {}, int seed = 1,
                             const std::function<void(const Divergence&)>& on_first = {});
-LockstepResult run_lockstep(const Job& job, Traffic traffic = {}, const Progress& progress = {},
+LockstepResult run_lockstep(const Job& job, Disturbance disturbance = {}, const Progress& progress = {},
                             int seed = 1);
 
 }   // namespace rayclock

@@ -40,15 +40,15 @@ std::string port_line(const std::string& module, const PortSpec& p) {
 }
 
 /// Returns the tap of a pipeline's link. A link of the engine is found there, under a name that is the same
-/// for all units that decide the nodes of a level. Other links are found in rc_pipeline: at a port if one end
+/// for all node units of a level. Other links are found in rc_pipeline: at a port if one end
 /// lies outside, else as a net.
 PortSpec pipeline_tap(const LinkInfo& link, const Config& config, const std::string& path,
                       const std::string& index) {
     const bool inside = link.of_engine();
     const Link number = Link(&link - link_infos.data());
     const NodeUnit upper = node_unit(config.engine()), lower = node_unit(config.lower_engine());
-    const std::string name = number == upper.req   ? "decide_req"
-                             : number == upper.rsp ? "decide_rsp"
+    const std::string name = number == upper.req   ? "node_unit_req"
+                             : number == upper.rsp ? "node_unit_rsp"
                              : number == lower.req ? "mesh_req"
                              : number == lower.rsp ? "mesh_rsp"
                                                    : link.name;
@@ -148,9 +148,9 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
     if (module == "rc_raygen") return {{"frame", fixed}, {"spawn", in}, {"slot", in}, {"ray", out}};
     if (module == "rc_trav") {
         std::vector<PortSpec> ports{
-            {"frame", fixed}, {"start", listen},   {"ray", in},        {"node_req", out},
-            {"node_rsp", in}, {"decide_req", out}, {"decide_rsp", in}, {"leaves", PortKind::fires},
-            {"tested", in},   {"done", out},       {"cause", plain},   {"node_next", listen}};
+            {"frame", fixed}, {"start", listen},      {"ray", in},           {"node_req", out},
+            {"node_rsp", in}, {"node_unit_req", out}, {"node_unit_rsp", in}, {"leaves", PortKind::fires},
+            {"tested", in},   {"done", out},          {"cause", plain},      {"node_next", listen}};
         if (config.has_instances()) ports.push_back({"xform_req", out}), ports.push_back({"change", listen});
         return ports;
     }

@@ -10,8 +10,8 @@
 
 namespace rayclock {
 
-RtlMachine::RtlMachine(const MemoryImage& image, const Config& config, int khz, Traffic traffic, int seed,
-                       Waves waves)
+RtlMachine::RtlMachine(const MemoryImage& image, const Config& config, int khz, Disturbance disturbance,
+                       int seed, Waves waves)
     : config_(config),
       image_(&image),
       decoder_(std::in_place, image, config),
@@ -24,8 +24,8 @@ RtlMachine::RtlMachine(const MemoryImage& image, const Config& config, int khz, 
       mem_req_(&rtl_.port("mem_req")),
       mem_rsp_(&rtl_.port("mem_rsp")),
       hit_ready_(&rtl_.port("hit_ready")),
-      memory_(config, khz, traffic),
-      traffic_(traffic),
+      memory_(config, khz, disturbance),
+      disturbance_(disturbance),
       valid_(links_.size()),
       fire_(links_.size()),
       under_way_(std::size_t(1) << config.mem_id_bits()) {
@@ -37,7 +37,7 @@ RtlMachine::RtlMachine(const MemoryImage& image, const Config& config, int khz, 
         for (const std::size_t c : there_)
             links[c] = &rtl_.port(fmt::format("{}[{}]", link_infos[c].name, p));
         ends_.push_back({&rtl_.port(fmt::format("done[{}]", p)), &rtl_.port(fmt::format("pixel[{}]", p))});
-        sinks_.emplace_back(traffic, p);
+        sinks_.emplace_back(disturbance, p);
     }
     for (std::size_t c = pipeline_links; c < link_count; ++c)
         if (is_there(Link(c), config)) links_[0][c] = &rtl_.port(link_infos[c].name);
@@ -127,7 +127,7 @@ void RtlMachine::start(const Frame& frame) {
         hit_lines_.assign(std::size_t((pixels_ + room - 1) / room) * words_per_line, ~0u);
         first_hit_line_ = frame.first_hit_line;
     }
-    hits_ = box_tests_ = 0;
+    finished_pixels_ = box_tests_ = 0;
     rays_ = {};
     accounts_.reset();
     started_ = now_;
@@ -138,7 +138,7 @@ void RtlMachine::start(const Frame& frame) {
 void RtlMachine::reset() {
     quiet_ports();
     rtl_.reset();
-    for (std::size_t p = 0; p < sinks_.size(); ++p) sinks_[p] = Sink(traffic_, int(p));
+    for (std::size_t p = 0; p < sinks_.size(); ++p) sinks_[p] = Sink(disturbance_, int(p));
     const int cycles = reset_cycles(config_);
     for (int i = 0; i < cycles; ++i) memory_.clock(nullptr);
     now_ += std::uint64_t(cycles);
@@ -236,7 +236,7 @@ void RtlMachine::store(const MemReq& request) {
     else
         std::copy(request.line.begin(), request.line.end(), &hit_lines_[at]);
     for (std::size_t k = 0; k < in_line; ++k)
-        hits_ += unpack<HitRecord>(&request.line[k * room], config_).valid;
+        finished_pixels_ += unpack<HitRecord>(&request.line[k * room], config_).valid;
 }
 
 /// Returns true if the hit is a pixel of the picture that has not arrived yet. Removes a primitive that the
@@ -287,8 +287,8 @@ void RtlMachine::clock() {
         }
         if (fire_[p] & bit(Link::node_req)) count_boxes(int(p));
     }
-    if (!config_.writes_hits()) hits_ += finished;
-    Memory::Place place;
+    if (!config_.writes_hits()) finished_pixels_ += finished;
+    Memory::PixelPlace place;
     if (memory_.draws() && finished > 0) {
         const HitOut hit = get_data<HitOut>(*links_[0][index(Link::hit)], config_);
         place = {hit.x, hit.y};

@@ -23,8 +23,8 @@ namespace rayclock {
 /// through its registers, as by a host. The memory's time does not advance during bus accesses.
 class RtlMachine {
 public:
-    RtlMachine(const MemoryImage& image, const Config& config, int khz, Traffic traffic = {}, int seed = 1,
-               Waves waves = Waves::no);
+    RtlMachine(const MemoryImage& image, const Config& config, int khz, Disturbance disturbance = {},
+               int seed = 1, Waves waves = Waves::no);
 
     /// Calls `see` in every cycle of a bus access, and of the start of a frame, when its transfers are known.
     /// The chip may make transfers then, although the memory's time does not advance.
@@ -71,12 +71,12 @@ public:
     };
     const std::optional<InvalidValue>& invalid_value() const { return invalid_value_; }
 
-    bool done() const { return hits_ >= pixels_; }
+    bool done() const { return finished_pixels_ >= pixels_; }
     /// Return the chip's own signals about the frame, after settle().
     bool running() const;
     bool done_signal() const;   ///< in the first cycle also true if it was set since the frame was requested
     std::uint64_t cycle() const { return now_; }
-    std::uint64_t hits() const { return hits_; }
+    std::uint64_t finished_pixels() const { return finished_pixels_; }
     LinkMask valid_mask(int pipeline) const { return valid_[std::size_t(pipeline)]; }
     LinkMask fire_mask(int pipeline) const { return fire_[std::size_t(pipeline)]; }
     LinkMask shared_valid() const { return shared_valid_; }
@@ -148,10 +148,10 @@ private:
     } bus_;
     const RcPort *running_, *done_, *mem_req_, *mem_rsp_, *hit_ready_;
     Memory memory_;
-    Traffic traffic_;
+    Disturbance disturbance_;
     std::vector<Sink> sinks_;
     RayCounts rays_;   // refractions count as reflections, because the link does not distinguish them
-    std::uint64_t now_ = 0, hits_ = 0, pixels_ = 0, box_tests_ = 0;
+    std::uint64_t now_ = 0, finished_pixels_ = 0, pixels_ = 0, box_tests_ = 0;
     std::vector<LinkMask> valid_, fire_;
     LinkMask shared_valid_ = 0, shared_fire_ = 0;
     std::function<void()> see_;

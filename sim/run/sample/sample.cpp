@@ -90,7 +90,7 @@ struct Plan {
     std::optional<OnDemandJob> before;   ///< the previous frame of a film, whose lines are in the caches
     std::uint64_t seed;
     std::uint32_t strata;   ///< samples of different size have independent random numbers
-    Traffic traffic;
+    Disturbance disturbance;
     int threads;
     Progress progress;
 
@@ -165,16 +165,16 @@ public:
 
     /// Replays all parts at one clock.
     std::vector<Sampled::Measured> replay(int khz) {
-        Machine machine(w_.job.config, khz, w_.traffic);
+        Machine machine(w_.job.config, khz, w_.disturbance);
         if (places_.front().number > 0)
             warm(machine, 0);
         else if (w_.before)
             warm_from_end(machine);
         std::vector<Stretch> stretches;
-        for (const Place& place : places_) stretches.push_back(place.stretch);
+        for (const PartPlace& place : places_) stretches.push_back(place.stretch);
         machine.start(w_.job.frame, recorder_.trace(), std::move(stretches), pixels_);
         std::vector<Sampled::Measured> measured;
-        const std::uint64_t limit = patience(w_.job.config, khz, w_.traffic);
+        const std::uint64_t limit = patience(w_.job.config, khz, w_.disturbance);
         for (std::size_t i = 0; i < places_.size(); ++i) {
             if (i > 0) warm(machine, i);
             run(machine, places_[i].begin, limit);
@@ -193,7 +193,7 @@ public:
     }
 
 private:
-    struct Place {
+    struct PartPlace {
         std::uint32_t number = 0, first_tile = 0, end_tile = 0;
         Stretch stretch;
         std::uint64_t begin = 0, end = 0;   ///< pixels that the machine has finished when it is measured
@@ -230,7 +230,7 @@ private:
     /// Puts lines into the caches that the row of tiles before a place would have left there.
     void warm(Machine& machine, std::size_t i) {
         const SlotOrder& order = w_.parts.order;
-        const Place& place = places_[i];
+        const PartPlace& place = places_[i];
         constexpr std::uint32_t margin = 2;   // tiles to both sides
         const std::uint32_t columns = order.columns(), span = place.end_tile - place.first_tile,
                             back = columns + std::min(span, columns) / 2,
@@ -269,7 +269,7 @@ private:
 
     void run(Machine& machine, std::uint64_t pixels, std::uint64_t limit) {
         constexpr std::uint64_t cycles_between_looks = 1 << 16;
-        while (machine.hits() < pixels) {
+        while (machine.finished_pixels() < pixels) {
             machine.run(machine.cycle() + cycles_between_looks, pixels);
             stop_if_interrupted();
             if (machine.quiet() > limit)
@@ -292,7 +292,7 @@ private:
 
     const Plan& w_;
     OnDemandRecorder recorder_;
-    std::vector<Place> places_;
+    std::vector<PartPlace> places_;
     std::uint64_t pixels_ = 0;
 };
 
@@ -311,7 +311,7 @@ std::uint32_t strata_of(const Frame& frame, const Config& config, double share) 
                     config.pipelines == 1 ? "pipeline" : "pipelines", config.contexts, least));
 }
 
-std::vector<Sampled> run(const Job& job, const std::vector<int>& khz, const Ask& ask, Traffic traffic,
+std::vector<Sampled> run(const Job& job, const std::vector<int>& khz, const Ask& ask, Disturbance disturbance,
                          int threads, const Progress& progress, const Frame* before) {
     const Stopwatch watch;
     const std::uint32_t wanted = strata_of(job.frame, job.config, ask.share);
@@ -322,7 +322,7 @@ std::vector<Sampled> run(const Job& job, const std::vector<int>& khz, const Ask&
            {},
            ask.seed,
            wanted,
-           traffic,
+           disturbance,
            threads,
            progress};
     if (before) w.before.emplace(job.image, *before, job.config);
@@ -365,8 +365,8 @@ std::vector<Sampled> run(const Job& job, const std::vector<int>& khz, const Ask&
     return sampled;
 }
 
-UploadTiming upload_timing(const Config& config, int khz, Traffic traffic, const Upload& upload) {
-    Machine machine(config, khz, traffic);
+UploadTiming upload_timing(const Config& config, int khz, Disturbance disturbance, const Upload& upload) {
+    Machine machine(config, khz, disturbance);
     return prepare_frame(machine, 0, [&](std::size_t f) { return f == 0 ? &upload : nullptr; });
 }
 

@@ -97,11 +97,12 @@ private:
 /// Samples a job's frame at each clock. The result does not depend on the number of threads. `before` is the
 /// frame before it in a film, if the caches keep its lines; its rays read lines of the job's image. Throws
 /// UserError if the frame is too small, and Interrupted after Ctrl-C.
-std::vector<Sampled> run(const Job& job, const std::vector<int>& khz, const Ask& ask, Traffic traffic = {},
-                         int threads = 0, const Progress& progress = {}, const Frame* before = nullptr);
+std::vector<Sampled> run(const Job& job, const std::vector<int>& khz, const Ask& ask,
+                         Disturbance disturbance = {}, int threads = 0, const Progress& progress = {},
+                         const Frame* before = nullptr);
 
 /// Returns the cycles of the host's writes before a frame, and of the reset. All writes are simulated, on a
 /// machine without other work.
-UploadTiming upload_timing(const Config& config, int khz, Traffic traffic, const Upload& upload);
+UploadTiming upload_timing(const Config& config, int khz, Disturbance disturbance, const Upload& upload);
 
 }   // namespace rayclock::sample

@@ -197,11 +197,12 @@ std::string hits_npy(const std::vector<StreamHit>& hits, const std::vector<std::
 }
 
 std::vector<std::uint64_t> retirements(const Config& config, int khz, const RecordedFrame& frame,
-                                       Traffic traffic, std::uint64_t cycles, const Progress& progress) {
+                                       Disturbance disturbance, std::uint64_t cycles,
+                                       const Progress& progress) {
     constexpr std::uint64_t between_reports = 1 << 16;
     std::vector<std::uint64_t> retired(frame.trace.rays.size());
     std::vector<std::size_t> left;   // rays whose answers are on their way out of the chip
-    Machine machine(config, khz, traffic);
+    Machine machine(config, khz, disturbance);
     machine.start(frame.frame, frame.trace);
     const std::uint64_t first = machine.cycle();
     for (std::uint64_t now = 0; !machine.done() && !interrupted(); now = machine.cycle() - first) {

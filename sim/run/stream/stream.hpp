@@ -57,7 +57,8 @@ std::string hits_npy(const std::vector<StreamHit>& hits, const std::vector<std::
 /// Replays a stream, and returns the cycle in which each ray's answer left the chip, from the frame's first
 /// cycle on. `cycles`: those of the stream's replay; for progress.
 std::vector<std::uint64_t> retirements(const Config& config, int khz, const RecordedFrame& frame,
-                                       Traffic traffic, std::uint64_t cycles, const Progress& progress = {});
+                                       Disturbance disturbance, std::uint64_t cycles,
+                                       const Progress& progress = {});
 
 /// The exact judge's verdict on every answer.
 struct StreamJudgement {

@@ -223,7 +223,7 @@ Export make_export(const Job& job, const std::string& title, const std::string& 
     while (!machine.done()) {
         machine.run(machine.cycle() + 100'000);
         if (machine.quiet() > limit) throw std::runtime_error("model: nothing has moved for too long");
-        if (progress) progress("model", machine.hits(), frame.trace.rays.size());
+        if (progress) progress("model", machine.finished_pixels(), frame.trace.rays.size());
     }
     result.cycles = machine.cycle();
     result.digest = digest_of(frame.trace.hits, result.cycles, frame.trace.colours);

@@ -19,13 +19,13 @@ namespace {
 
 class Capturer {
 public:
-    Capturer(const Job& job, Traffic traffic, int seed, std::uint64_t divergence, const std::string& path,
-             bool with_model)
+    Capturer(const Job& job, Disturbance disturbance, int seed, std::uint64_t divergence,
+             const std::string& path, bool with_model)
         : job_(job),
           path_(path),
           first_(divergence - std::min(divergence, cycles_before)),
           last_(divergence + cycles_after),
-          rtl_(job.image, job.config, job.khz, traffic, seed, Waves::yes),
+          rtl_(job.image, job.config, job.khz, disturbance, seed, Waves::yes),
           image_(job.image),
           payloads_(std::in_place, image_, job.config) {
         for (int p = 0; p < job.config.pipelines; ++p)
@@ -34,7 +34,7 @@ public:
                     capture_.links.push_back({p, Link(c)});
         capture_.first = first_;
         capture_.has_model = with_model;
-        if (with_model) model_.emplace(job.config, job.khz, traffic);
+        if (with_model) model_.emplace(job.config, job.khz, disturbance);
     }
     ~Capturer() {
         if (writes_) rtl_.module().end_wave();
@@ -155,10 +155,10 @@ bool LinkCycle::differs() const {
                                       rtl.begin() + std::ptrdiff_t(std::min(model.size(), rtl.size())));
 }
 
-Capture capture(const Job& job, const std::vector<RecordedFrame>& frames, Traffic traffic, int seed,
+Capture capture(const Job& job, const std::vector<RecordedFrame>& frames, Disturbance disturbance, int seed,
                 std::uint64_t divergence, const std::string& wave_path, bool with_model,
                 const Progress& progress) {
-    return Capturer(job, traffic, seed, divergence, wave_path, with_model).run(frames, progress);
+    return Capturer(job, disturbance, seed, divergence, wave_path, with_model).run(frames, progress);
 }
 
 }   // namespace rayclock

@@ -35,7 +35,7 @@ constexpr std::uint64_t cycles_before = 1000, cycles_after = 20;
 /// its signals to `wave_path`, beginning `cycles_before` cycles before the divergence. A cycle takes 10 units
 /// of time, and its signals are settled from the 5th on. Without the model, the RTL continues after its last
 /// frame. The result is partial if interrupted().
-Capture capture(const Job& job, const std::vector<RecordedFrame>& frames, Traffic traffic, int seed,
+Capture capture(const Job& job, const std::vector<RecordedFrame>& frames, Disturbance disturbance, int seed,
                 std::uint64_t divergence, const std::string& wave_path, bool with_model,
                 const Progress& progress);
 

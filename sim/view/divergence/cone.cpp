@@ -61,12 +61,12 @@ public:
 
     /// Its digits in a cycle; empty if they are not known.
     std::string at(const std::string& path, std::uint64_t cycle) const {
-        const Change* change = before(path, cycle);
+        const ValueChange* change = before(path, cycle);
         return change ? change->digits : "";
     }
     /// The cycle before it got the value that it has; none if it has had the value from the first cycle on.
     std::optional<std::uint64_t> before_value(const std::string& path, std::uint64_t cycle) const {
-        const Change* change = before(path, cycle);
+        const ValueChange* change = before(path, cycle);
         const std::uint64_t since = change ? change->cycle : cycle;
         return since > 0 ? std::make_optional(since - 1) : std::nullopt;
     }
@@ -87,7 +87,7 @@ public:
     }
 
 private:
-    struct Change {
+    struct ValueChange {
         std::uint64_t cycle;
         std::string digits;
     };
@@ -100,16 +100,16 @@ private:
     static bool only_blocks(const std::string& scopes) {
         return scopes.starts_with("gen_") && scopes.find(".u_") == std::string::npos;
     }
-    const Change* before(const std::string& path, std::uint64_t cycle) const {
+    const ValueChange* before(const std::string& path, std::uint64_t cycle) const {
         const auto& all = changes_.at(numbers_.at(path));
         const auto after =
             std::upper_bound(all.begin(), all.end(), cycle,
-                             [](std::uint64_t c, const Change& change) { return c < change.cycle; });
+                             [](std::uint64_t c, const ValueChange& change) { return c < change.cycle; });
         return after == all.begin() ? nullptr : &*(after - 1);
     }
 
     std::map<std::string, std::uint32_t> numbers_;   // by path
-    std::map<std::uint32_t, std::vector<Change>> changes_;
+    std::map<std::uint32_t, std::vector<ValueChange>> changes_;
 };
 
 class ConeWalk {

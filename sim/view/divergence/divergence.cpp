@@ -43,7 +43,8 @@ void check_divergence_folder(const std::string& folder) {
 DivergenceShow::DivergenceShow(const DivergedRun& d, const std::string& folder, const Progress& progress)
     : work_("rayclock-divergence"),
       rtl_wave_(work_.path() / "rtl.fst"),
-      seen_(capture(d.job, d.frames, d.traffic, d.seed, d.first.cycle, rtl_wave_, !d.is_elastic, progress)) {
+      seen_(capture(d.job, d.frames, d.disturbance, d.seed, d.first.cycle, rtl_wave_, !d.is_elastic,
+                    progress)) {
     if (interrupted()) throw Interrupted("interrupted while the waveform was made");
     std::error_code error;
     fs::create_directories(folder, error);

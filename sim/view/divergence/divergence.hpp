@@ -12,7 +12,7 @@ namespace rayclock {
 struct DivergedRun {
     const Job& job;
     const std::vector<RecordedFrame>& frames;
-    Traffic traffic;
+    Disturbance disturbance;
     int seed = 1;
     const Divergence& first;
     std::string scene, command;   ///< for the page

@@ -109,7 +109,7 @@ std::string story(const DivergedRun& d) {
     const std::uint64_t before = d.first.frame_begins;
     const std::uint32_t width = d.job.frame.width;
     StepsUntil steps(d.first.y * width + d.first.x, d.first.cycle - before);
-    observe(d.job.config, d.job.khz, std::span(d.frames).first(d.first.frame + 1), d.traffic, 0, &steps);
+    observe(d.job.config, d.job.khz, std::span(d.frames).first(d.first.frame + 1), d.disturbance, 0, &steps);
     if (steps.events.empty()) return "<p>No ray of this pixel had begun.</p>\n";
     constexpr const char* outcomes[] = {"hit", "miss", "merge"};
     std::vector<std::vector<std::string>> rows;

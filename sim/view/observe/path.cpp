@@ -72,7 +72,7 @@ Closest note_visits(const Decoder& decoder, const Config& config, Walk& walk, Ra
         VisitValues visit;
         visit.line = walk.node();
         visit.parent = parent_of(decoder, config, values.visits, visit.line);
-        bool more = walk.test_node();
+        bool more = walk.visit_node();
         visit.children =
             int(config.is_list() ? decoder.page(visit.line).children : decoder.children(visit.line));
         visit.met = walk.enters() ? 0 : std::popcount(walk.met());

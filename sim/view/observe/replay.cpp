@@ -28,7 +28,7 @@ FrameCosts observe_frame(Machine& machine, const Frame& frame, const Trace& trac
         if (sink && sink->done()) break;
         if (machine.cycle() % cycles_between_reports != 0) continue;
         check_moving(machine, limit);
-        if (progress) progress("watching", machine.hits(), frame.pixels());
+        if (progress) progress("watching", machine.finished_pixels(), frame.pixels());
     }
     FrameCosts costs = observer.finish(machine);
     costs.partial = !machine.done();
@@ -37,10 +37,10 @@ FrameCosts observe_frame(Machine& machine, const Frame& frame, const Trace& trac
 
 }   // namespace
 
-FrameCosts observe(const Config& config, int khz, std::span<const RecordedFrame> frames, Traffic traffic,
-                   std::uint64_t window, EventSink* sink, const Progress& progress) {
-    const std::uint64_t limit = patience(config, khz, traffic);
-    Machine machine(config, khz, traffic);
+FrameCosts observe(const Config& config, int khz, std::span<const RecordedFrame> frames,
+                   Disturbance disturbance, std::uint64_t window, EventSink* sink, const Progress& progress) {
+    const std::uint64_t limit = patience(config, khz, disturbance);
+    Machine machine(config, khz, disturbance);
     for (std::size_t f = 0; f + 1 < frames.size(); ++f) {
         prepare_frame(machine, f, frames);
         machine.start(frames[f].frame, frames[f].trace);

@@ -14,7 +14,7 @@ int any_khz() { return GENERATE(75'000, 50'000, 100'000, 142'857); }
 const SdramPart& any_sdram() { return sdram_part(GENERATE(as<std::string>{}, "as4c32m16sb", "is42s16160g")); }
 
 /// Random traffic: bursts and pauses, reads and writes.
-void random_traffic(SdramRig& rig, int requests) {
+void random_disturbance(SdramRig& rig, int requests) {
     std::uint32_t last = 0;
     int gap = 0, writes = 0;
     for (int i = 0; i < requests; ++i) {
@@ -77,7 +77,7 @@ TEST_CASE("model and RTL of the SDRAM controller agree in every cycle, and the d
     SdramRig rig(part, khz, seed);
     rig.align_every = 2000;
     rig.initialise();
-    random_traffic(rig, 10'000);
+    random_disturbance(rig, 10'000);
     REQUIRE(rig.chip.violations().empty());
     REQUIRE(rig.expected.chip_agrees());
     CHECK(rig.chip.refreshes() > 300);
@@ -87,7 +87,7 @@ TEST_CASE("model and RTL of the SDRAM controller agree in every cycle, and the d
 TEST_CASE("the SDRAM controller reads right with the clock of the SDRAM in phase", "[sdram][lockstep]") {
     SdramRig rig(sdram_part("as4c32m16sb"), 75'000, 3, 1);
     rig.initialise();
-    random_traffic(rig, 5000);
+    random_disturbance(rig, 5000);
     REQUIRE(rig.expected.chip_agrees());
 }
 
@@ -109,7 +109,7 @@ TEST_CASE("the SDRAM controller starts anew after a reset at any time", "[sdram]
         rig.reset();
         rig.expected.forget();
         rig.initialise();
-        random_traffic(rig, 50);
+        random_disturbance(rig, 50);
     }
     REQUIRE(rig.expected.chip_agrees());
 }

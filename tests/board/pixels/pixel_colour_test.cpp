@@ -55,7 +55,8 @@ public:
         }
         if (leaves) inside_.pop_front(), ++left;
         if (enters) inside_.push_back(*hit);
-        const PixelColour::Place place = hit ? PixelColour::Place{hit->x, hit->y} : PixelColour::Place{};
+        const PixelColour::PixelPlace place =
+            hit ? PixelColour::PixelPlace{hit->x, hit->y} : PixelColour::PixelPlace{};
         rtl_.clock();
         model_.clock(leaves, enters ? &place : nullptr);
         return enters;

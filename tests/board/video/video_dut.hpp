@@ -258,7 +258,7 @@ public:
         };
         const auto before = outputs();
         model.clock({picture.base, picture.width, flush,
-                     pixel ? std::optional(PixelWriter::Place{pixel->x, pixel->y}) : std::nullopt, ready,
+                     pixel ? std::optional(PixelWriter::PixelPlace{pixel->x, pixel->y}) : std::nullopt, ready,
                      next});
         if (sleeps && outputs() != before) FAIL("cycle " << cycle_ << ": the writer changed in its sleep");
         rtl_.clock();

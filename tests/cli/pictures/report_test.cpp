@@ -261,7 +261,7 @@ TEST_CASE("a printed configuration can be given back, and gives the same frame")
                               "-"}))["digest"] == a["digest"]);
 }
 
-TEST_CASE("the digest does not depend on threads, and traffic changes cycles only") {
+TEST_CASE("the digest does not depend on threads, and a disturbance changes cycles only") {
     const auto run = [](std::vector<std::string> more) {
         std::vector<std::string> arguments{"simulate", "gears:1", "--size", "32x24", "--json", "-"};
         arguments.insert(arguments.end(), more.begin(), more.end());

@@ -7,7 +7,7 @@
 #include "tests/support/cases/draw.hpp"
 
 using namespace rayclock;
-using cells::Cell;
+using space_cells::Cell;
 
 namespace {
 
@@ -74,7 +74,7 @@ private:
 };
 
 Census census_of(const std::vector<PrimData>& prims, const Config& config) {
-    const cells::CellPtr root = octree::build(prims, config);
+    const space_cells::CellPtr root = octree::build(prims, config);
     Census census(std::size_t(config.leaf_size));
     census.count(*root, root->bounds, 0, 0);
     return census;
@@ -106,7 +106,7 @@ TEST_CASE("an octree of a flat scene has no planes across it") {
     std::vector<PrimData> prims;
     for (int i = 0; i < 100; ++i)
         prims.push_back({{40 * i, 0, 7}, {40 * i + 30, 0, 7}, {40 * i, 30, 7}, std::uint32_t(i)});
-    const cells::CellPtr root = octree::build(prims, octree_of(1, Straddlers::leaves));
+    const space_cells::CellPtr root = octree::build(prims, octree_of(1, Straddlers::leaves));
     REQUIRE(!root->is_leaf());
     const Cell& quarter = *root->lower->lower;
     CHECK(quarter.axis == no_axis);

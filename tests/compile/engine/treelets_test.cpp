@@ -6,21 +6,21 @@
 #include <set>
 
 #include "model/engine/kd/build.hpp"
-#include "model/engine/cells/split.hpp"
-#include "model/engine/cells/treelets.hpp"
+#include "model/engine/space_cells/split.hpp"
+#include "model/engine/space_cells/treelets.hpp"
 #include "tests/compile/listed.hpp"
 #include "tests/support/cases/draw.hpp"
 
 using namespace rayclock;
-using cells::Cell;
-using cells::CellPtr;
+using space_cells::Cell;
+using space_cells::CellPtr;
 
 namespace {
 
 /// Draws boxes in a cell. A third of them are flat on an axis, many of these in the cell's sides, where cuts
 /// leave primitives that lie in their plane.
-cells::Items items(test::Draw& draw, std::uint32_t count, const LatticeBox& cell) {
-    cells::Items items(count);
+space_cells::Items items(test::Draw& draw, std::uint32_t count, const LatticeBox& cell) {
+    space_cells::Items items(count);
     for (std::uint32_t i = 0; i < count; ++i) {
         items[i].prim = i;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -36,10 +36,10 @@ cells::Items items(test::Draw& draw, std::uint32_t count, const LatticeBox& cell
 }
 
 /// Computes the cost of a plane by counting.
-double cost_of_plane(const cells::Items& items, const LatticeBox& cell, std::size_t axis, int plane,
+double cost_of_plane(const space_cells::Items& items, const LatticeBox& cell, std::size_t axis, int plane,
                      bool flat_above) {
     std::size_t below = 0, above = 0;
-    for (const cells::Item& item : items) {
+    for (const space_cells::Item& item : items) {
         const int lo = item.box.lo[axis], hi = item.box.hi[axis];
         const bool flat = lo == plane && hi == plane;
         below += lo < plane || (flat && !flat_above);
@@ -56,15 +56,15 @@ double cost_of_plane(const cells::Items& items, const LatticeBox& cell, std::siz
 
 void check_split(test::Draw& draw, std::uint32_t count, int extent, int step) {
     const LatticeBox cell{{-extent, 3, -extent / 2}, {extent, 3 + extent, extent}};
-    const cells::Items all = items(draw, count, cell);
-    cells::Split best{{}, 1e9};
-    cells::try_axes(all, cell, 2 * all.size(), best);
+    const space_cells::Items all = items(draw, count, cell);
+    space_cells::Split best{{}, 1e9};
+    space_cells::try_axes(all, cell, 2 * all.size(), best);
     REQUIRE(best.is_there());
     double least = 1e9;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         std::set<int> planes;
         for (int x = cell.lo[axis] + 1; x < cell.hi[axis]; x += step) planes.insert(x);
-        for (const cells::Item& item : all)
+        for (const space_cells::Item& item : all)
             for (const int x :
                  {item.box.lo[axis], item.box.hi[axis], item.box.lo[axis] - 1, item.box.hi[axis] + 1})
                 if (count < 100 && x > cell.lo[axis] && x < cell.hi[axis]) planes.insert(x);
@@ -140,7 +140,7 @@ private:
     const std::vector<int>* roles_ = nullptr;
 };
 
-void compute_inside(Cell& cell, const cells::Treelets& treelets) {
+void compute_inside(Cell& cell, const space_cells::Treelets& treelets) {
     if (!cell.is_leaf()) compute_inside(*cell.lower, treelets), compute_inside(*cell.upper, treelets);
     cell.inside = treelets.inside(cell);
 }
@@ -217,7 +217,7 @@ TEST_CASE("no choice of treelets costs less than the one that is made", "[treele
         const CellPtr before = random_tree(first, box, 7, next);
         next = 0;
         const CellPtr tree = random_tree(again, box, 7, next);
-        const cells::Treelets treelets(config);
+        const space_cells::Treelets treelets(config);
         compute_inside(*tree, treelets);
         const double said = tree->inside;
         treelets.settle(*tree, false);

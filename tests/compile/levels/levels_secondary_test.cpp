@@ -79,7 +79,7 @@ public:
     /// Tests every triangle of every instance, without a tree. Counts crossings whose point on the scene's
     /// ray is not in the instance's box.
     Closest answer_of(const Ray& ray, std::uint64_t& outside) const {
-        BestHit best({0, ray.kind}, reach_of(ray.kind, config_));
+        BestHit best({0, ray.kind}, t_max_of(ray.kind, config_));
         for (std::size_t i = 0; i < placements_.size(); ++i) {
             const Change in = xform({0, ray.o, ray.d, placements_[i], ray.kind, ray.home}, config_);
             Ray moved;

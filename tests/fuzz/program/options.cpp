@@ -37,7 +37,7 @@ struct Options {
     ConfigChoice config;
     Finish finish;
     FramesOptions frames;
-    TrafficOptions traffic;
+    DisturbanceOptions disturbance;
     ViewChoice view;
     JsonOutput json;
     int threads = 0;
@@ -55,7 +55,7 @@ void declare(Parser& parser, Options& o) {
     fresh_option(parser, o.fresh);
     netlist_option(parser, o.no_netlist);
     frames_options(parser, o.frames);
-    traffic_options(parser, o.traffic);
+    disturbance_options(parser, o.disturbance);
     view_options(parser, o.view);
     json_option(parser, o.json);
     parser.option("--axis", o.axes, "");
@@ -129,7 +129,7 @@ int read_options(const Options& o) {
     read([&] { parse_percent("--max-work", o.max_work, true); });
     read([&] { parse_percent("--max-other", o.max_other, true); });
     read([&] { check_psnr(o.min_psnr); });
-    read([&] { traffic_of(o.traffic); });
+    read([&] { disturbance_of(o.disturbance); });
     read([&] {
         for (const double time : frame_times(o.frames, true).times)
             fuzz::demand(time >= 0 && std::isfinite(time), "a frame has a time");

@@ -35,7 +35,7 @@ Verdict TortureJudge::operator()(int seconds_at_most) const {
             for (const Prepared& p : cases_) {
                 by = p.torture.name;
                 const LockstepResult result =
-                    run_lockstep(p.torture.job, p.frames, p.torture.traffic, {}, p.torture.seed);
+                    run_lockstep(p.torture.job, p.frames, p.torture.disturbance, {}, p.torture.seed);
                 if (result.agrees()) continue;
                 by = seen(p.torture, result);
                 return true;

@@ -22,11 +22,11 @@ struct Row {
 };
 
 /// Where the row's texts differ: from..to of the file becomes `fresh`.
-struct Change {
+struct TextChange {
     std::size_t from = 0, to = 0;
     std::string fresh;
 };
-Change change_of(const Row& row) {
+TextChange change_of(const Row& row) {
     const std::size_t shorter = std::min(row.old.size(), row.fresh.size());
     std::size_t same = 0, tail = 0;
     while (same < shorter && row.old[same] == row.fresh[same]) ++same;
@@ -68,7 +68,7 @@ std::optional<Region> argument(const std::string& plain, std::size_t from, std::
 /// The change as one of the smallest expression around it.
 std::optional<std::pair<Region, std::string>> one_expression(const Row& row) {
     const std::string plain = blanked(row.text, row.language);
-    const Change change = change_of(row);
+    const TextChange change = change_of(row);
     std::vector<Region> around;
     for (const Region& region : regions(row.text, row.language)) {
         const bool begins =

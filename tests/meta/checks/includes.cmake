@@ -10,7 +10,7 @@ set(rooms model/base model/core model/fixed model/scene model/layout model/board
 # Parts of model/engine, lowest first: what engines share, then engines on which others build. Any other
 # folder is an engine that includes itself and these parts only, so a new one needs no line here. `engines`
 # includes them all, and `check` includes `engines`.
-set(shared box_ray node_answer parts cells bvh octree)
+set(shared box_ray node_answer parts space_cells bvh octree)
 set(faults "")
 set(files)
 foreach(tree model sim)
@@ -70,13 +70,16 @@ foreach(file IN LISTS files)
     endif()
   endforeach()
 endforeach()
-# In rtl/engine, lowest first: the modules beside the rooms of engines (engine), cells, the engines.
+# In rtl/engine, lowest first: the modules beside the rooms of engines (engine), space_cells, the engines,
+# and the modules that instantiate any engine (above_engines).
 function(rtl_floor room floor)
   set(found 2)
   if(room STREQUAL "engine")
     set(found 0)
-  elseif(room STREQUAL "cells")
+  elseif(room STREQUAL "space_cells")
     set(found 1)
+  elseif(room STREQUAL "above_engines")
+    set(found 3)
   endif()
   set(${floor} ${found} PARENT_SCOPE)
 endfunction()
@@ -85,6 +88,8 @@ foreach(file IN LISTS modules)
   string(REGEX MATCH "([a-z0-9_]+)/([a-z0-9_]+)\\.sv$" name ${file})
   set(room_of_${CMAKE_MATCH_2} ${CMAKE_MATCH_1})
 endforeach()
+set(room_of_rc_tree above_engines)
+set(room_of_rc_node_unit above_engines)
 foreach(file IN LISTS modules)
   cmake_path(GET file STEM module)
   set(room ${room_of_${module}})

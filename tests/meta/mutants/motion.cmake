@@ -31,7 +31,7 @@ mutant(short_refracted_ray_goes FILE model/unit/shade/bounce/bounce.cpp TEST uni
 mutant(rtl_xform_rests_too_little_every_2 FILE rtl/unit/xform/rc_xform.sv TEST unit [xform]
   OLD [[LeftW'(rc_pkg::XformInterval - 1)]]
   NEW [[LeftW'(rc_pkg::XformInterval - (rc_pkg::XformInterval == 2 ? 2 : 1))]])
-mutant(rtl_quicker_unit_does_not_wait FILE rtl/unit/trav/rc_tree.sv TEST system
+mutant(rtl_quicker_unit_does_not_wait FILE rtl/engine/rc_tree.sv TEST system
   "model and RTL walk two structures alike*"
   OLD [[.Pad(rc_pkg::MeshPad)]]
   NEW [[.Pad(rc_pkg::MeshPad / 2)]])
@@ -75,8 +75,8 @@ mutant(film_mesh_lattices_of_the_first_frame FILE model/compile/levels/maps.cpp 
   NEW [[for (std::size_t t = 1; t < 1; ++t) add(own, needs_of(seen_at(i, t)));]])
 mutant(film_has_room_for_its_first_tree FILE model/compile/levels/moving.cpp TEST motion
   "frames of a film write*"
-  OLD [[for (const Places& places : times) {]]
-  NEW [[for (const Places& places : times.first(1)) {]])
+  OLD [[for (const InstancePlaces& places : times) {]]
+  NEW [[for (const InstancePlaces& places : times.first(1)) {]])
 mutant(film_leaves_out_lines_of_zeros FILE model/compile/refit/flat.cpp TEST motion
   "uploads give the chip the host's image*"
   OLD [[{held.begin(), part(written_)}, upload);]]

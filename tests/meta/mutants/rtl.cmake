@@ -132,7 +132,7 @@ mutant(credit_counter_one_more QUICK FILE rtl/cells/flow/rc_credit_counter.sv TE
   NEW [[Full = CountW'(Credits + 1);]])
 
 # ---- Counters and the registers of the host.
-mutant(tally_of_box_blames_trav FILE rtl/unit/trav/rc_node_test.sv TEST unit
+mutant(tally_of_box_blames_trav FILE rtl/engine/rc_node_unit.sv TEST unit
   "model and RTL of the machine count the same"
   OLD [[cause_o = node_waits_i ?]]
   NEW [[cause_o = !node_waits_i ?]])

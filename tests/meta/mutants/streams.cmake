@@ -168,6 +168,6 @@ mutant(stream_sphere_seen_from_the_other_side FILE sim/run/stream/surface.cpp TE
 
 # ---- Units alone.
 mutant(unit_alone_keeps_zeros_out_of_corners FILE sim/run/elastic/corners.cpp TEST system
-  "units that decide nodes agree alone*"
+  "node units agree alone*"
   OLD [[if (d == Vec3i{}) d[0] = -1;]]
   NEW [[for (std::int32_t& x : d) x |= 1;]])

@@ -13,10 +13,10 @@ mutant(globe_moment_of_the_wrong_sign QUICK FILE rtl/engine/spheres/rc_chord.sv 
   NEW [[moment_q <= ba - ab;]])
 
 # ---- Treelets of kd: planes are rounded outward.
-mutant(model_plane_from_rounded_up FILE model/engine/cells/decide.cpp TEST unit [treelet]
+mutant(model_plane_from_rounded_up FILE model/engine/space_cells/decide.cpp TEST unit [treelet]
   OLD [[std::uint32_t(std::min(way, double(beyond)))]]
   NEW [[std::uint32_t(std::ceil(std::min(way, double(beyond))))]])
-mutant(model_plane_to_without_the_origins_step FILE model/engine/cells/decide.cpp TEST unit [treelet]
+mutant(model_plane_to_without_the_origins_step FILE model/engine/space_cells/decide.cpp TEST unit [treelet]
   OLD [[(sides.far_from >> (c.recip_bits - 1)) + 2 + step;]]
   NEW [[(sides.far_from >> (c.recip_bits - 1)) + 2;]])
 
@@ -37,22 +37,22 @@ mutant(bsp_normal_on_other_axes FILE model/engine/bsp/engine.hpp WITH model/comp
   "rays of every family hit the same in every structure"
   OLD [[slant.normal[3 * plane + k] = cell.normal[k];]]
   NEW [[slant.normal[3 * plane + k] = cell.normal[2 - k];]])
-mutant(bsp_clips_inward FILE model/engine/cells/clip.cpp TEST compile [slant]
+mutant(bsp_clips_inward FILE model/engine/space_cells/clip.cpp TEST compile [slant]
   OLD [[wall.at + (wall.upper ? -margin : margin)]]
   NEW [[wall.at + (wall.upper ? 40 : -40)]])
-mutant(kd_loses_what_lies_in_a_plane FILE model/engine/cells/cell.cpp TEST system
+mutant(kd_loses_what_lies_in_a_plane FILE model/engine/space_cells/cell.cpp TEST system
   "rays of every family hit the same in every structure"
   OLD [[if (reach.hi > cut.plane || (flat && cut.flat_above)) take(item, above, upper);]]
   NEW [[if (reach.hi > cut.plane) take(item, above, upper);]])
-mutant(kd_sweep_ends_a_step_late FILE model/engine/cells/split.cpp TEST compile
+mutant(kd_sweep_ends_a_step_late FILE model/engine/space_cells/split.cpp TEST compile
   "no plane of a cell is cheaper*"
   OLD [[hi_[ended] <= plane) ++ended;]]
   NEW [[hi_[ended] < plane) ++ended;]])
-mutant(kd_sweep_leaves_out_what_is_beside_the_flat FILE model/engine/cells/split.cpp TEST compile
+mutant(kd_sweep_leaves_out_what_is_beside_the_flat FILE model/engine/space_cells/split.cpp TEST compile
   "no plane of a cell is cheaper*"
   OLD [[{lo(plane), hi(plane), before(plane), after(plane)}]]
   NEW [[{lo(plane), hi(plane)}]])
-mutant(treelets_have_a_primitive_twice FILE model/engine/cells/treelets.cpp TEST compile
+mutant(treelets_have_a_primitive_twice FILE model/engine/space_cells/treelets.cpp TEST compile
   "no choice of treelets costs less*"
   OLD [[cell.prims.erase(std::unique(cell.prims.begin(), cell.prims.end()), cell.prims.end());]]
   NEW [[]])
@@ -63,7 +63,7 @@ mutant(splits_lose_the_upper_part FILE model/engine/bvh/splits.cpp TEST compile
 mutant(octree_straddler_is_on_one_side FILE model/engine/octree/build.cpp TEST system
   "rays of every family hit the same in every structure"
   OLD [[pieces_.divide(part.items, {part.box}, cut, lower.items, upper.items);]]
-  NEW [[for (const cells::Item& item : part.items)
+  NEW [[for (const space_cells::Item& item : part.items)
                 (item.box.hi[axis] > cut.plane ? upper : lower).items.push_back(item);]])
 
 # ---- Lists of all primitives.

@@ -433,8 +433,8 @@ mutant(tex_list_loses_the_kind_of_a_hit FILE rtl/unit/list/rc_list.sv TEST unit 
   NEW [[assign closest_o.cutout = closest_hit.cutout && 1'b0;]])
 mutant(tex_tri_cutout_has_no_weights FILE rtl/unit/tri/rc_tri.sv TEST unit
   "tri of a chip that shades decides exactly and measures within its bound - Rtl<TriUnit>"
-  OLD [[(!pre_any || pre_cutout);]]
-  NEW [[!pre_any;]])
+  OLD [[(!pre_number.any || pre_cutout);]]
+  NEW [[!pre_number.any;]])
 mutant(tex_tri_cutout_for_every_ray FILE rtl/unit/tri/rc_tri.sv TEST unit
   "tri of a chip that shades decides exactly and measures within its bound - Rtl<TriUnit>"
   OLD [[rc_pkg::HasTextures && in_any && in.prim_kind]]
@@ -607,8 +607,8 @@ mutant(tex_list_counts_the_holes_of_the_ray_before FILE rtl/unit/list/rc_list.sv
   OLD [[was_passed ? s1_passed : '0;]]
   NEW [[was_passed || 1'b1 ? s1_passed : '0;]])
 mutant(tex_list_reach_ends_at_a_hole FILE rtl/unit/list/rc_list.sv TEST torture ${torture_light}
-  OLD [[.write_i(s1_closer), .write_ray_i(s1_ray), .write_t_i(s1_rsp_t)]]
-  NEW [[.write_i(s1_hits), .write_ray_i(s1_ray), .write_t_i(s1_rsp_t)]])
+  OLD [[.write_i(s1_closer), .write_ray_i(s1_ray), .write_t_best_i(s1_rsp_t)]]
+  NEW [[.write_i(s1_hits), .write_ray_i(s1_ray), .write_t_best_i(s1_rsp_t)]])
 mutant(tex_light_passes_64_holes FILE rtl/unit/shade/pass/rc_pass.sv TEST torture ${torture_light}
   OLD [[&& context_state.light_holes != '1;]]
   NEW [[;]])

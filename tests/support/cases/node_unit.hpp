@@ -1,5 +1,5 @@
 #pragma once
-// Checks that hold for every unit that decides nodes. `draw_case(draw, config)` draws a request `req` and the
+// Checks that hold for every node unit. `draw_case(draw, config)` draws a request `req` and the
 // inputs of its judge. Argument-dependent lookup finds judge(case, answer, config).
 #include "tests/support/world/traffic.hpp"
 

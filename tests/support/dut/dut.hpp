@@ -76,8 +76,8 @@ struct RaygenUnit {
         return raygen(slot, frame, c);
     }
 };
-/// The unit that decides an engine's nodes; its name and its answer follow.
-template <class Engine> struct NodeTestUnit {
+/// The node unit of an engine; its name and its answer follow.
+template <class Engine> struct NodeUnitOf {
     using Req = typename Engine::Request;
     using Rsp = NodeAnswer;
     static constexpr const char *in = "req", *out = "rsp";
@@ -85,20 +85,20 @@ template <class Engine> struct NodeTestUnit {
     static int latency(const Config& c) { return Engine::latency(c); }
     static int queue(const Config& c) { return c.box_queue; }
 };
-struct BoxUnit : NodeTestUnit<bvh::Engine> {
+struct BoxUnit : NodeUnitOf<bvh::Engine> {
     static constexpr const char* name = "rc_box";
     static int interval(const Config& c) { return c.box_interval(); }
     static NodeAnswer answer(const BoxReq& req, const Frame&, const Config& c) { return box(req, c); }
 };
-struct TreeletUnit : NodeTestUnit<kd::Engine> {
+struct TreeletUnit : NodeUnitOf<kd::Engine> {
     static constexpr const char* name = "rc_treelet";
     static NodeAnswer answer(const TreeletReq& req, const Frame&, const Config& c) { return treelet(req, c); }
 };
-struct GlobeUnit : NodeTestUnit<spheres::Engine> {
+struct GlobeUnit : NodeUnitOf<spheres::Engine> {
     static constexpr const char* name = "rc_globe";
     static NodeAnswer answer(const GlobeReq& req, const Frame&, const Config& c) { return globe(req, c); }
 };
-struct SlantUnit : NodeTestUnit<bsp::Engine> {
+struct SlantUnit : NodeUnitOf<bsp::Engine> {
     static constexpr const char* name = "rc_slant";
     static NodeAnswer answer(const SlantReq& req, const Frame&, const Config& c) { return slant(req, c); }
 };

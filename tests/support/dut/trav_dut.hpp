@@ -7,15 +7,16 @@
 namespace rayclock::test {
 
 /// The links of trav's model and RTL. `start` is only observed, and `leaves` are always accepted. A node's
-/// answer goes to box in the same cycle. Box's answer, if it has leaves to test, goes to list.
+/// answer goes to the node unit in the same cycle. That unit's answer, if it has leaves to test, goes to
+/// list.
 struct TravLinks {
     std::optional<Start> start;
     Wire<Ray> ray;
     Wire<NodeRsp> node_rsp;
-    Wire<NodeAnswer> box_rsp;
+    Wire<NodeAnswer> node_unit_rsp;
     Wire<Tested> tested;
     Wire<NodeReq> node_req;
-    Wire<BoxReq> box_req;
+    Wire<BoxReq> node_unit_req;
     std::optional<Leaves> leaves;
     Wire<Done> done;
     std::uint32_t cause = 0;
@@ -42,23 +43,24 @@ public:
         }
         done.offer.reset();
         if (trav_.done_valid()) done.offer = Done{trav_.done_ray()};
-        node_rsp.ready = box_req.ready;
-        box_req.offer.reset();
+        node_rsp.ready = node_unit_req.ready;
+        node_unit_req.offer.reset();
         if (node_rsp.offer) {
             const Ray& r = contexts_[node_rsp.offer->ray].ray;
             const BoxRay from = box_ray(r);
-            box_req.offer =
+            node_unit_req.offer =
                 BoxReq{r.ray, from.o, from.neg, from.recip, from.len, node_rsp.offer->of<bvh::Engine>().node};
         }
-        box_rsp.ready = true;
+        node_unit_rsp.ready = true;
         leaves.reset();
-        const std::optional<NodeAnswer>& boxed = node_answer_delay_.out(box_rsp.offer);
-        if (boxed && boxed->leaves > 0 && boxed->t_near[boxed->inner] <= contexts_[boxed->ray].reach)
-            leaves = leaves_of(*boxed);
+        const std::optional<NodeAnswer>& answered = node_answer_delay_.out(node_unit_rsp.offer);
+        if (answered && answered->leaves > 0 &&
+            answered->t_near[answered->inner] <= contexts_[answered->ray].t_best)
+            leaves = leaves_of(*answered);
     }
     void commit() {
-        const std::optional<NodeAnswer> boxed = node_answer_delay_.out(box_rsp.offer);
-        const LinkRay leafless = leaves ? LinkRay{} : ray_of(boxed);
+        const std::optional<NodeAnswer> answered = node_answer_delay_.out(node_unit_rsp.offer);
+        const LinkRay leafless = leaves ? LinkRay{} : ray_of(answered);
         trav_.clock({ray_of(ray), leafless, ray_of(tested.offer), node_req.fires(), done.fires()},
                     [&](std::uint32_t number, bool valid) {
                         if (!valid) return Decision::Flags{};
@@ -68,18 +70,18 @@ public:
                         c.children = {};   // another decision has no new children
                         return decision.flags();
                     });
-        if (boxed) {
-            Context& c = contexts_[boxed->ray];
-            c.children = children_of(*boxed);
-            c.tested = {boxed->ray, 0, c.reach};   // the default if no other answer comes
+        if (answered) {
+            Context& c = contexts_[answered->ray];
+            c.children = children_of(*answered);
+            c.tested = {answered->ray, 0, c.t_best};   // the default if no other answer comes
         }
-        node_answer_delay_.clock(box_rsp.offer);
+        node_answer_delay_.clock(node_unit_rsp.offer);
         if (tested.fires()) {
             Context& c = contexts_[tested.offer->ray];
             c.tested = *tested.offer;
-            c.reach = tested.offer->t_best;
+            c.t_best = tested.offer->t_best;
         }
-        if (start) contexts_[start->ray].reach = reach_of(start->kind, config_);
+        if (start) contexts_[start->ray].t_best = t_max_of(start->kind, config_);
         if (ray.fires()) {
             contexts_[ray.offer->ray].ray = *ray.offer;
             contexts_[ray.offer->ray].stack.clear();
@@ -92,8 +94,8 @@ private:
         Children children;
         Tested tested;
         Stack stack;
-        std::uint32_t addr;    // address of the next node
-        std::uint32_t reach;   // the distance to beat
+        std::uint32_t addr;     // address of the next node
+        std::uint32_t t_best;   // the distance to beat
     };
     Config config_;
     std::uint32_t root_;
@@ -116,9 +118,9 @@ public:
         links_.read_in("ray", ray);
         links_.read_in("tested", tested);
         links_.read_in("node_rsp", node_rsp);
-        links_.read_in("decide_rsp", box_rsp);
+        links_.read_in("node_unit_rsp", node_unit_rsp);
         links_.read_out("node_req", node_req);
-        links_.read_out("decide_req", box_req);
+        links_.read_out("node_unit_req", node_unit_req);
         links_.read_told("leaves", leaves);
         links_.read_out("done", done);
         cause = links_.plain("cause");
@@ -131,9 +133,9 @@ private:
         links_.drive_in("ray", ray);
         links_.drive_in("tested", tested);
         links_.drive_in("node_rsp", node_rsp);
-        links_.drive_in("decide_rsp", box_rsp);
+        links_.drive_in("node_unit_rsp", node_unit_rsp);
         links_.drive_out("node_req", node_req);
-        links_.drive_out("decide_req", box_req);
+        links_.drive_out("node_unit_req", node_unit_req);
         links_.drive_out("done", done);
     }
     RtlLinks links_;

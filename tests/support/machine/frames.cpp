@@ -148,17 +148,18 @@ void check_accounts(const FrameResult& run, const Config& config, const Trace& t
 
 }   // namespace
 
-LockstepResult check_lockstep(const Job& job, Traffic traffic, int seed) {
+LockstepResult check_lockstep(const Job& job, Disturbance disturbance, int seed) {
     std::vector<RecordedFrame> frames;
     frames.push_back(record_frame(job, job.frame));
-    return check_lockstep(job, frames, traffic, seed);
+    return check_lockstep(job, frames, disturbance, seed);
 }
 
-LockstepResult check_lockstep(const Job& job, const std::vector<RecordedFrame>& frames, Traffic traffic,
-                              int seed) {
-    INFO("configuration " << job.config.name << ", jitter " << traffic.jitter << ", stall "
-                          << traffic.stall_percent << ", seed " << traffic.seed << ", RTL seed " << seed);
-    LockstepResult result = run_lockstep(job, frames, traffic, {}, seed);
+LockstepResult check_lockstep(const Job& job, const std::vector<RecordedFrame>& frames,
+                              Disturbance disturbance, int seed) {
+    INFO("configuration " << job.config.name << ", jitter " << disturbance.jitter << ", stall "
+                          << disturbance.stall_percent << ", seed " << disturbance.seed << ", RTL seed "
+                          << seed);
+    LockstepResult result = run_lockstep(job, frames, disturbance, {}, seed);
     if (result.first) {
         const Divergence& d = *result.first;
         UNSCOPED_INFO("first divergence: cycle " << d.cycle << " unit " << d.unit << " link " << d.link

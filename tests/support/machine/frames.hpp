@@ -31,9 +31,9 @@ Config quick_config(const std::string& name);
 const std::vector<std::string>& quick_configs();
 
 /// Runs a frame in lockstep. Requires that the machines agree in every value, every cycle and every account.
-LockstepResult check_lockstep(const Job& job, Traffic traffic = {}, int seed = 1);
+LockstepResult check_lockstep(const Job& job, Disturbance disturbance = {}, int seed = 1);
 /// Runs several frames on one machine and returns the last result.
-LockstepResult check_lockstep(const Job& job, const std::vector<RecordedFrame>& frames, Traffic traffic = {},
-                              int seed = 1);
+LockstepResult check_lockstep(const Job& job, const std::vector<RecordedFrame>& frames,
+                              Disturbance disturbance = {}, int seed = 1);
 
 }   // namespace rayclock::test

@@ -40,7 +40,7 @@ private:
             see("trav.node addr", walk.node());
             see("mem.addr", walk.node());
             for (std::size_t k = 0; k < 3; ++k) slab(k, ray, bvh::read_node(image_, walk.node(), c_));
-            bool more = walk.test_node();
+            bool more = walk.visit_node();
             const NodeAnswer boxes = walk.node_answer();
             list(boxes);
             for (; more; more = walk.advance()) {

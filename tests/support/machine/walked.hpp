@@ -14,7 +14,7 @@ inline void append_walk(Walk& walk, std::vector<std::uint32_t>& words) {
     for (bool done = false; !done;) {
         const std::size_t head = words.size();
         words.push_back(walk.node());
-        for (bool more = walk.test_node(); more; more = walk.advance()) {
+        for (bool more = walk.visit_node(); more; more = walk.advance()) {
             words.push_back(walk.prim());
             walk.test_triangle();
         }

@@ -48,7 +48,7 @@ public:
         if (seed % 2) shuffle();
         for (std::uint32_t ray = 0; ray < std::uint32_t(config.contexts); ++ray) free_.push_back(ray);
     }
-    bool finished() const { return hits_ == frame_.width * frame_.height; }
+    bool finished() const { return finished_pixels_ == frame_.width * frame_.height; }
 
     void drive(SchedLinks& dut) {
         if (!tile_ && !coming_.empty() && !draw_.percent(flow_.idle_percent)) {
@@ -99,7 +99,7 @@ public:
         if (dut.hit.fires()) {   // free from the next cycle
             free_.push_back(pixel_->first.ray);
             pixel_.reset();
-            ++hits_;
+            ++finished_pixels_;
         }
     }
 
@@ -121,7 +121,7 @@ private:
     std::vector<Slot> running_;
     std::optional<Pixel> pixel_;
     Slot place_;
-    std::uint32_t hits_ = 0;
+    std::uint32_t finished_pixels_ = 0;
 };
 
 }   // namespace rayclock::test

@@ -17,10 +17,10 @@ public:
         int level;   ///< number of groups that may lie below it
     };
     /// Returns the next place after a node, or nothing if the ray is done. `level` is the node's level.
-    std::optional<StackEntry> next(const NodeAnswer& boxes, const Tested& tested, int level) {
+    std::optional<StackEntry> next(const NodeAnswer& answer, const Tested& tested, int level) {
         if (tested.stop) return std::nullopt;
-        for (std::size_t i = boxes.inner; i-- > 0;)
-            pile_.push_back({boxes.t_near[i], boxes.base + boxes.offset[i] / 2, level + 1});
+        for (std::size_t i = answer.inner; i-- > 0;)
+            pile_.push_back({answer.t_near[i], answer.base + answer.offset[i] / 2, level + 1});
         while (!pile_.empty()) {
             const StackEntry top = pile_.back();
             pile_.pop_back();
@@ -33,9 +33,9 @@ private:
     std::vector<StackEntry> pile_;
 };
 
-/// Rays in all contexts, each with one transfer in flight: start -> node -> boxes -> tested -> node ... ->
-/// done. `tested` comes only if the boxes have leaves that matter. Boxes are invented, with children in order
-/// of t_near, and t_best never grows. Checks all leaves, every node and every end against Walk.
+/// Rays in all contexts, each with one transfer in flight: start -> node -> answer -> tested -> node ... ->
+/// done. `tested` comes only if the answer has leaves that matter. Answers are invented, with children in
+/// order of t_near, and t_best never grows. Checks all leaves, every node and every end against Walk.
 class TravWorld {
 public:
     TravWorld(const Frame& frame, const Config& config, unsigned seed, const Pace& pace, int rays)
@@ -56,15 +56,15 @@ public:
     void drive(TravLinks& dut) {
         dut.start.reset();
         if (!ray_ && left_ > 0 && go()) start_ray(dut);
-        if (!boxes_ && !testing_.empty() && go()) make_boxes();
+        if (!answer_ && !testing_.empty() && go()) make_answer();
         if (!tested_ && !listed_.empty() && go()) make_tested();
         if (!node_rsp_ && !fetched_.empty() && go()) answer_node();
         dut.ray.offer = ray_;
-        dut.box_rsp.offer = boxes_;
+        dut.node_unit_rsp.offer = answer_;
         dut.tested.offer = tested_;
         dut.node_rsp.offer = node_rsp_;
         dut.node_req.ready = take();
-        dut.box_req.ready = take();
+        dut.node_unit_req.ready = take();
         dut.done.ready = take();
     }
 
@@ -92,8 +92,8 @@ public:
             fetched_.push_back(req.ray);
             ++nodes_;
         }
-        if (dut.box_req.offer) check_box(*dut.box_req.offer);
-        if (dut.box_req.fires()) {
+        if (dut.node_unit_req.offer) check_box(*dut.node_unit_req.offer);
+        if (dut.node_unit_req.fires()) {
             testing_.push_back(node_rsp_->ray);
             node_rsp_.reset();
         }
@@ -110,7 +110,7 @@ private:
         bool busy = false, ending = false, reached_bottom = false;
         Ray ray;
         Walk walk;
-        NodeAnswer boxes;
+        NodeAnswer answer;
         std::optional<Walk::StackEntry> awaited;
         int level = 0, nodes = 0, most_nodes = 0;
         std::uint32_t t_best = 0;
@@ -146,43 +146,43 @@ private:
         }
     }
 
-    void make_boxes() {
-        NodeAnswer boxes;
-        boxes.ray = pick(testing_);
-        Context& c = contexts_[boxes.ray];
-        boxes.base = std::uint32_t(draw_.bits(max_addr_bits - 1));
+    void make_answer() {
+        NodeAnswer answer;
+        answer.ray = pick(testing_);
+        Context& c = contexts_[answer.ray];
+        answer.base = std::uint32_t(draw_.bits(max_addr_bits - 1));
         c.reached_bottom |= c.level == config_.stack_depth;
         // Goes straight down to the stack's last place.
-        const bool deep = boxes.ray % 3 == 0 && !c.reached_bottom;
+        const bool deep = answer.ray % 3 == 0 && !c.reached_bottom;
         int most = c.level < config_.stack_depth ? config_.node_width : 1;
         if (++c.nodes > c.most_nodes && !deep) most = 0;
-        boxes.inner = std::uint32_t(deep && most > 1 ? 2 : draw_.between(0, most));
-        boxes.leaves = std::uint32_t(draw_.between(0, config_.node_width - int(boxes.inner)));
+        answer.inner = std::uint32_t(deep && most > 1 ? 2 : draw_.between(0, most));
+        answer.leaves = std::uint32_t(draw_.between(0, config_.node_width - int(answer.inner)));
         std::vector<std::uint32_t> inner, leaves;
         const std::uint32_t about = std::min(c.t_best, 1u << 20);
-        for (std::uint32_t i = 0; i < boxes.inner; ++i) inner.push_back(draw_near(about, deep));
-        for (std::uint32_t i = 0; i < boxes.leaves; ++i) {
+        for (std::uint32_t i = 0; i < answer.inner; ++i) inner.push_back(draw_near(about, deep));
+        for (std::uint32_t i = 0; i < answer.leaves; ++i) {
             const std::uint32_t most_t = (1u << config_.t_bits()) - 1;
             leaves.push_back(draw_.coin() ? draw_near(about, false)
                                           : std::min(c.t_best + std::uint32_t(draw_.below(2)), most_t));
         }
         std::sort(inner.begin(), inner.end());
         std::sort(leaves.begin(), leaves.end());
-        for (std::size_t i = 0; i < boxes.inner + boxes.leaves; ++i) {
-            const bool is_leaf = i >= boxes.inner;
-            boxes.t_near[i] = is_leaf ? leaves[i - boxes.inner] : inner[i];
-            boxes.offset[i] = is_leaf ? std::uint32_t(draw_.bits(offset_bits))
-                                      : 2 * std::uint32_t(draw_.below(config_.node_width));
-            boxes.count[i] = is_leaf ? std::uint32_t(draw_.between(1, 6)) : 0;
+        for (std::size_t i = 0; i < answer.inner + answer.leaves; ++i) {
+            const bool is_leaf = i >= answer.inner;
+            answer.t_near[i] = is_leaf ? leaves[i - answer.inner] : inner[i];
+            answer.offset[i] = is_leaf ? std::uint32_t(draw_.bits(offset_bits))
+                                       : 2 * std::uint32_t(draw_.below(config_.node_width));
+            answer.count[i] = is_leaf ? std::uint32_t(draw_.between(1, 6)) : 0;
         }
-        boxes_ = boxes;
+        answer_ = answer;
     }
 
-    /// Leaves go to list in the cycle in which box answers (in a fast chip some cycles later) if the nearest
-    /// can matter. Other leaves are never sent.
+    /// Leaves go to list in the cycle in which the node unit answers (in a fast chip some cycles later) if
+    /// the nearest can matter. Other leaves are never sent.
     void see_leaves(const TravLinks& dut) {
         std::optional<NodeAnswer> taken;
-        if (boxes_ && dut.box_rsp.fires()) taken.swap(boxes_);
+        if (answer_ && dut.node_unit_rsp.fires()) taken.swap(answer_);
         const std::optional<NodeAnswer> seen = node_answer_delay_.out(taken);
         node_answer_delay_.clock(taken);
         if (!seen) {
@@ -191,18 +191,18 @@ private:
         }
         CAPTURE(seen->ray);
         Context& c = contexts_[seen->ray];
-        c.boxes = *seen;
-        const bool matters = c.boxes.leaves > 0 && c.boxes.t_near[c.boxes.inner] <= c.t_best;
+        c.answer = *seen;
+        const bool matters = c.answer.leaves > 0 && c.answer.t_near[c.answer.inner] <= c.t_best;
         REQUIRE(dut.leaves.has_value() == matters);
-        if (!matters) return go_on({c.boxes.ray, 0, c.t_best});
-        Leaves expected{c.boxes.ray, c.boxes.base, c.boxes.leaves, {}, {}, {}};
-        for (std::size_t i = 0; i < c.boxes.leaves; ++i) {
-            expected.t_near[i] = c.boxes.t_near[c.boxes.inner + i];
-            expected.offset[i] = c.boxes.offset[c.boxes.inner + i];
-            expected.count[i] = c.boxes.count[c.boxes.inner + i];
+        if (!matters) return go_on({c.answer.ray, 0, c.t_best});
+        Leaves expected{c.answer.ray, c.answer.base, c.answer.leaves, {}, {}, {}};
+        for (std::size_t i = 0; i < c.answer.leaves; ++i) {
+            expected.t_near[i] = c.answer.t_near[c.answer.inner + i];
+            expected.offset[i] = c.answer.offset[c.answer.inner + i];
+            expected.count[i] = c.answer.count[c.answer.inner + i];
         }
         REQUIRE(same(*dut.leaves, expected, config_));
-        listed_.push_back(c.boxes.ray);
+        listed_.push_back(c.answer.ray);
         ++listings_;
     }
 
@@ -219,7 +219,7 @@ private:
 
     void go_on(const Tested& tested) {
         Context& c = contexts_[tested.ray];
-        c.awaited = c.walk.next(c.boxes, tested, c.level);
+        c.awaited = c.walk.next(c.answer, tested, c.level);
         c.ending = !c.awaited;
     }
 
@@ -251,10 +251,10 @@ private:
     Draw draw_;
     int left_, started_ = 0, ended_ = 0, nodes_ = 0, stopped_ = 0, listings_ = 0;
     std::vector<Context> contexts_;
-    // Rays whose node is in flight, rays at box, and rays whose leaves are at list.
+    // Rays whose node is in flight, rays at the node unit, and rays whose leaves are at list.
     std::vector<std::uint32_t> fetched_, testing_, listed_;
     std::optional<Ray> ray_;
-    std::optional<NodeAnswer> boxes_;
+    std::optional<NodeAnswer> answer_;
     std::optional<Tested> tested_;
     std::optional<NodeRsp> node_rsp_;
 };

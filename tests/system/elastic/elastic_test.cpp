@@ -77,13 +77,13 @@ TEST_CASE("the project's RTL passes elastic verification in the model's cycles")
     for (const std::string& config : quick_configs()) {
         INFO(config);
         const Job job = make_shot("gears:1", {24, 18}, quick_config(config)).job;
-        for (const Traffic& traffic : {Traffic{}, Traffic{25, 60, 3}}) {
-            const ElasticResult result = run_elastic(job, traffic);
+        for (const Disturbance& disturbance : {Disturbance{}, Disturbance{25, 60, 3}}) {
+            const ElasticResult result = run_elastic(job, disturbance);
             CHECK(result.agrees());
             CHECK(result.rtl.cycles == result.model.cycles);
             CHECK(result.rtl.accounts == result.model.accounts);
             CHECK(result.rtl.digest == result.model.digest);
-            CHECK(result.events_compared >= run_lockstep(job, traffic).events_compared);
+            CHECK(result.events_compared >= run_lockstep(job, disturbance).events_compared);
         }
     }
 }
@@ -317,7 +317,7 @@ TEST_CASE("a unit alone gives the answers of the model's pure function, in any o
     CHECK_THROWS_WITH(run_unit_alone(job, frame, "shade"), Contains("no such unit"));
 }
 
-TEST_CASE("units that decide nodes agree alone, also in corners that no ray of the frame reaches", "[slow]") {
+TEST_CASE("node units agree alone, also in corners that no ray of the frame reaches", "[slow]") {
     for_each_engine([]<class E>(E) {
         for (const int shading : {0, 1}) {
             const std::string unit = unit_name(E::structure);

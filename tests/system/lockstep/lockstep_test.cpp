@@ -69,18 +69,17 @@ TEST_CASE("model and RTL agree for every leaf size", "[long]") {
             check_lockstep(make_shot(scene, {48, 36}, with(quick_config(config), {{"leaf_size", leaf}})).job);
 }
 
-TEST_CASE("model and RTL agree on an ideal memory of three latencies, under eight kinds of traffic",
-          "[long]") {
+TEST_CASE("model and RTL agree on an ideal memory of three latencies, under eight disturbances", "[long]") {
     const std::string name = GENERATE("default", "small", "narrow", "broad");
-    const Traffic traffic =
-        GENERATE(Traffic{0, 0, 1}, Traffic{1, 0, 2}, Traffic{30, 0, 3}, Traffic{0, 50, 4}, Traffic{7, 20, 5},
-                 Traffic{100, 90, 6}, Traffic{3, 70, 7}, Traffic{200, 5, 8});
+    const Disturbance disturbance = GENERATE(
+        Disturbance{0, 0, 1}, Disturbance{1, 0, 2}, Disturbance{30, 0, 3}, Disturbance{0, 50, 4},
+        Disturbance{7, 20, 5}, Disturbance{100, 90, 6}, Disturbance{3, 70, 7}, Disturbance{200, 5, 8});
     const int latency = GENERATE(1, 8, 61);
     Config config =
         with(quick_config(name), {{"mem_latency", latency}, {"mem_interval", latency == 8 ? 3 : 1}});
     config.dram = DramName::ideal;
     check_config(config, name);
-    check_lockstep(make_shot("gears:1", {32, 24}, config).job, traffic, int(traffic.seed));
+    check_lockstep(make_shot("gears:1", {32, 24}, config).job, disturbance, int(disturbance.seed));
 }
 
 TEST_CASE("model and RTL agree on three DRAMs at three clocks, with and without back-pressure", "[long]") {
@@ -93,8 +92,8 @@ TEST_CASE("model and RTL agree on three DRAMs at three clocks, with and without 
     Job job = make_shot("gears:1", {32, 24}, config).job;
     job.khz = khz;
     INFO(khz << " kHz");
-    for (const Traffic& traffic : {Traffic{}, Traffic{40, 0, 2}, Traffic{25, 60, 3}})
-        check_lockstep(job, traffic, int(traffic.seed));
+    for (const Disturbance& disturbance : {Disturbance{}, Disturbance{40, 0, 2}, Disturbance{25, 60, 3}})
+        check_lockstep(job, disturbance, int(disturbance.seed));
 }
 
 TEST_CASE("model and RTL agree on memories side by side, and on one that a file describes") {
@@ -117,7 +116,7 @@ TEST_CASE("model and RTL agree on memories side by side, and on one that a file 
             job.khz = c.khz;
             INFO(c.dram << " x " << c.channels << ", " << c.khz << " kHz");
             check_lockstep(job);
-            check_lockstep(job, Traffic{25, 60, 3}, 3);
+            check_lockstep(job, Disturbance{25, 60, 3}, 3);
         }
     }
 }
@@ -131,7 +130,7 @@ TEST_CASE("model and RTL agree while a screen is read from their memory and pixe
             const Job job = make_shot("gears:1", {32, 24}, config).job;
             INFO(name << ", " << dram);
             check_lockstep(job);
-            check_lockstep(job, Traffic{25, 60, 3}, 3);
+            check_lockstep(job, Disturbance{25, 60, 3}, 3);
             Config quiet = config;
             quiet.scan_out = quiet.pixel_writes = 0;
             const FrameResult with = run_model(job),
@@ -160,12 +159,12 @@ TEST_CASE("model and RTL agree over several frames on one machine, whose caches 
     for (const FrameSize size : {FrameSize{19, 30}, FrameSize{50, 33}})
         four.push_back(record_frame(job, make_frame(*shot.scene.camera, size, job.image, job.config)));
     CHECK(two[1].trace.hits.size() == one[0].trace.hits.size());
-    for (const Traffic& traffic : {Traffic{}, Traffic{10, 30, 5}}) {
+    for (const Disturbance& disturbance : {Disturbance{}, Disturbance{10, 30, 5}}) {
         std::vector<RecordedFrame> cold;
         cold.push_back(record_frame(job, two[1].frame));
-        const FrameResult first = check_lockstep(job, one, traffic).rtl,
-                          second = check_lockstep(job, two, traffic).rtl;
-        const FrameResult alone = check_lockstep(job, cold, traffic).rtl;
+        const FrameResult first = check_lockstep(job, one, disturbance).rtl,
+                          second = check_lockstep(job, two, disturbance).rtl;
+        const FrameResult alone = check_lockstep(job, cold, disturbance).rtl;
         CHECK(first.hits.hits != second.hits.hits);   // another picture
         CHECK(second.hits.hits == alone.hits.hits);   // the content of the caches makes no difference
         if (job.config.node_sets <= 2) continue;

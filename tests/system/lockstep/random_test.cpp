@@ -13,7 +13,7 @@ using namespace rayclock::test;
 
 namespace {
 
-Traffic random_traffic(std::uint64_t seed) {
+Disturbance random_disturbance(std::uint64_t seed) {
     Rng rng(seed * 77);
     return {rng.below(2) * rng.below(100), rng.below(2) * rng.below(80), rng.next() >> 8};
 }
@@ -45,7 +45,7 @@ Shot random_shot(std::uint64_t seed, const Config& config) {
                           {32, 24}, config);
 }
 
-/// Runs every memory with random latency, interval, clock and traffic.
+/// Runs every memory with random latency, interval, clock and disturbance.
 void check_random(const Config& config, std::uint64_t seed) {
     INFO(text_of(config));
     Rng rng(seed * 1000);
@@ -60,7 +60,7 @@ void check_random(const Config& config, std::uint64_t seed) {
                                        {"mem_interval", 1 + rng.below(4)}});
         job.khz = 20000 + rng.below(500000);
         INFO(job.khz << " kHz");
-        check_lockstep(job, frames, random_traffic(seed * 10 + std::uint64_t(i)), int(seed) * 10 + i);
+        check_lockstep(job, frames, random_disturbance(seed * 10 + std::uint64_t(i)), int(seed) * 10 + i);
     }
 }
 

@@ -70,9 +70,10 @@ TEST_CASE("model and RTL trace a stream alike, in every cycle", "[stream]") {
 
 TEST_CASE("model and RTL trace a stream alike under back-pressure", "[stream][long]") {
     const Config config = GENERATE(0, 1) == 0 ? streaming_config(quick_config("default")) : narrow_stream();
-    const Traffic traffic = GENERATE(Traffic{30, 0, 3}, Traffic{0, 50, 4}, Traffic{100, 90, 6});
-    check_lockstep(RandomStream("teapot:6", 500, config, traffic.seed).stream.job, traffic,
-                   int(traffic.seed));
+    const Disturbance disturbance =
+        GENERATE(Disturbance{30, 0, 3}, Disturbance{0, 50, 4}, Disturbance{100, 90, 6});
+    check_lockstep(RandomStream("teapot:6", 500, config, disturbance.seed).stream.job, disturbance,
+                   int(disturbance.seed));
 }
 
 namespace {
@@ -200,10 +201,11 @@ TEST_CASE("a chip writes the hits of a stream into memory, alike in model and RT
         CHECK(result.rtl.answers.size() == count);
         CHECK(result.rtl.memory.pixel_writes == (count + 3) / 4);
     }
-    const Traffic traffic = GENERATE(Traffic{30, 0, 3}, Traffic{0, 50, 4}, Traffic{100, 90, 6});
-    const RandomStream random("teapot:6", 500, config, traffic.seed);
-    check_lockstep(random.stream.job, traffic, int(traffic.seed));
-    CHECK(run_elastic(random.stream.job, traffic).agrees());
+    const Disturbance disturbance =
+        GENERATE(Disturbance{30, 0, 3}, Disturbance{0, 50, 4}, Disturbance{100, 90, 6});
+    const RandomStream random("teapot:6", 500, config, disturbance.seed);
+    check_lockstep(random.stream.job, disturbance, int(disturbance.seed));
+    CHECK(run_elastic(random.stream.job, disturbance).agrees());
 }
 
 TEST_CASE("records of hits that are wider take half a line", "[stream][long]") {

@@ -29,10 +29,10 @@ TEST_CASE(
     const std::string scene = GENERATE("teapot:6", "gears:2", "mount:4", "icosphere:3");
     const Shot shot = make_shot(scene, {48, 36}, named_config("default"));
     const HitFrame expected = run_model(shot.job).hits;
-    const auto check = [&](const Job& job, Traffic traffic) {
-        INFO(scene << ": " << job.config.name << ", jitter " << traffic.jitter << ", stall "
-                   << traffic.stall_percent << ", seed " << traffic.seed);
-        CHECK(run_model(job, traffic).hits.hits == expected.hits);
+    const auto check = [&](const Job& job, Disturbance disturbance) {
+        INFO(scene << ": " << job.config.name << ", jitter " << disturbance.jitter << ", stall "
+                   << disturbance.stall_percent << ", seed " << disturbance.seed);
+        CHECK(run_model(job, disturbance).hits.hits == expected.hits);
     };
     for (const int contexts : {1, 2, 4, 16, 128, 1024})
         check(reshaped(shot.job, {{"contexts", contexts}}), {});
@@ -104,27 +104,30 @@ TEST_CASE("hits do not depend on latency, order of answers or back-pressure: RTL
 
 TEST_CASE("a run repeated has the same digest, on any thread and whatever else runs") {
     const Shot shot = make_shot("teapot:6", {48, 36}, quick_config("default"));
-    const Traffic traffic{20, 30, 5};
-    const std::uint64_t digest = run_model(shot.job, traffic).digest;
+    const Disturbance disturbance{20, 30, 5};
+    const std::uint64_t digest = run_model(shot.job, disturbance).digest;
     std::vector<std::future<std::uint64_t>> again;
     for (int i = 0; i < 3; ++i) {
-        again.push_back(std::async(std::launch::async, [&] { return run_model(shot.job, traffic).digest; }));
         again.push_back(
-            std::async(std::launch::async, [&, i] { return run_rtl(shot.job, traffic, {}, i + 1).digest; }));
+            std::async(std::launch::async, [&] { return run_model(shot.job, disturbance).digest; }));
+        again.push_back(std::async(std::launch::async,
+                                   [&, i] { return run_rtl(shot.job, disturbance, {}, i + 1).digest; }));
         again.push_back(std::async(std::launch::async, [&] {
-            return run_model(make_shot("teapot:6", {48, 36}, quick_config("default")).job, traffic).digest;
+            return run_model(make_shot("teapot:6", {48, 36}, quick_config("default")).job, disturbance)
+                .digest;
         }));
     }
     for (auto& run : again) CHECK(run.get() == digest);
     CHECK(run_model(shot.job, {20, 30, 6}).digest != digest);   // the digest includes cycles
-    CHECK(run_model(make_shot("teapot:5", {48, 36}, quick_config("default")).job, traffic).digest != digest);
+    CHECK(run_model(make_shot("teapot:5", {48, 36}, quick_config("default")).job, disturbance).digest !=
+          digest);
 }
 
 TEST_CASE("accounts close: work that enters a unit leaves it, and no frame is faster than its work allows") {
     const Shot shot = make_shot(GENERATE("teapot:6", "gears:1", "cornell"), {48, 36},
                                 quick_config(GENERATE("default", "small", "narrow", "broad")));
-    const Traffic traffic = GENERATE(Traffic{}, Traffic{5, 30, 3});
-    const FrameResult run = run_model(shot.job, traffic);
+    const Disturbance disturbance = GENERATE(Disturbance{}, Disturbance{5, 30, 3});
+    const FrameResult run = run_model(shot.job, disturbance);
     INFO(shot.job.config.name);
     const Config& config = shot.job.config;
     for (const UnitAccount& a : unit_accounts(config, run)) {

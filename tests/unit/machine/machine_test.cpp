@@ -17,7 +17,7 @@ using namespace rayclock::test;
 
 namespace {
 
-rayclock::Traffic disturbed(std::uint64_t seed) { return {5, 30, seed}; }
+rayclock::Disturbance disturbed(std::uint64_t seed) { return {5, 30, seed}; }
 
 /// Compares everything that a machine shows of an observed cycle.
 void require_same(const Machine& a, const Machine& b) {
@@ -63,9 +63,9 @@ TEST_CASE("the order in which units see the clock edge does not matter, nor whet
     const Job job = job_of(scene, values, shading);
     const RecordedFrame frame = record_frame(job, job.frame);
     for (unsigned seed = 1; seed <= 4; ++seed) {
-        const rayclock::Traffic traffic = seed % 2 ? rayclock::Traffic{} : disturbed(seed);
-        Machine plain{job.config, job.khz, traffic}, shuffled{job.config, job.khz, traffic},
-            unseen{job.config, job.khz, traffic};
+        const rayclock::Disturbance disturbance = seed % 2 ? rayclock::Disturbance{} : disturbed(seed);
+        Machine plain{job.config, job.khz, disturbance}, shuffled{job.config, job.khz, disturbance},
+            unseen{job.config, job.khz, disturbance};
         for (Machine* machine : {&plain, &shuffled, &unseen}) machine->start(frame.frame, frame.trace);
         Draw draw{seed};
         std::array<int, pipeline_units> order{};
@@ -79,7 +79,7 @@ TEST_CASE("the order in which units see the clock edge does not matter, nor whet
             shuffled.step_in_order(order);
             require_same(plain, shuffled);
             unseen.step();
-            REQUIRE(unseen.hits() == plain.hits());
+            REQUIRE(unseen.finished_pixels() == plain.finished_pixels());
             if (plain.cycle() % 64 == 0) REQUIRE(unseen.accounts() == plain.accounts());
         }
         for (const Machine* machine : {&shuffled, &unseen}) {
@@ -107,11 +107,11 @@ TEST_CASE("windows of cycles and single cycles are the same machine", "[machine]
         while (!windows.done()) {
             REQUIRE(windows.cycle() < 1000000);
             windows.run(windows.cycle() + 1 + std::uint64_t(draw.below(60)),
-                        windows.hits() + 1 + std::uint64_t(draw.below(20)));
+                        windows.finished_pixels() + 1 + std::uint64_t(draw.below(20)));
             while (single.cycle() < windows.cycle()) single.step();
             INFO(job.config.name << ", cycle " << windows.cycle());
             REQUIRE(single.cycle() == windows.cycle());
-            REQUIRE(single.hits() == windows.hits());
+            REQUIRE(single.finished_pixels() == windows.finished_pixels());
             REQUIRE(single.accounts() == windows.accounts());
             REQUIRE(single.memory().stats() == windows.memory().stats());
         }
@@ -120,11 +120,11 @@ TEST_CASE("windows of cycles and single cycles are the same machine", "[machine]
 
 TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[machine]") {
     const Values values = GENERATE(from_range(shapes()));
-    const rayclock::Traffic traffic = GENERATE(rayclock::Traffic{}, disturbed(1), disturbed(2));
+    const rayclock::Disturbance disturbance = GENERATE(rayclock::Disturbance{}, disturbed(1), disturbed(2));
     const Job job = small_job("gears:1", {20, 12}, shaped(format("small"), values));
-    INFO(job.config.name << ", seed " << traffic.seed);
+    INFO(job.config.name << ", seed " << disturbance.seed);
     const RecordedFrame frame = record_frame(job, job.frame);
-    Machine machine{job.config, job.khz, traffic};
+    Machine machine{job.config, job.khz, disturbance};
     machine.start(frame.frame, frame.trace);
     std::vector<int> seen(20 * 12, 0);
     std::array<std::uint64_t, link_count> moved{};
@@ -209,7 +209,7 @@ TEST_CASE("idle cycles that are passed over are as if each had been stepped", "[
             while (stepped.cycle() < ran.cycle()) stepped.step();
             INFO("cycle " << ran.cycle());
             REQUIRE(ran.cycle() < 2000000);
-            REQUIRE(stepped.hits() == ran.hits());
+            REQUIRE(stepped.finished_pixels() == ran.finished_pixels());
             REQUIRE(ran.quiet() + Pipeline::max_window >= stepped.quiet());
             REQUIRE(ran.quiet() <= stepped.quiet() + 4 * std::uint64_t(latencies));
             REQUIRE(stepped.accounts() == ran.accounts());
@@ -225,11 +225,11 @@ TEST_CASE("model and RTL of the machine count the same", "[machine][lockstep]") 
         {{"tetra:3", "small"}, {"gears:1", "small"}, {"gears:1", "lanes1:rays4:small"}}));
     const Job job = small_job(scene, {16, 12}, format(name));
     const RecordedFrame frame = record_frame(job, job.frame);
-    for (const rayclock::Traffic& traffic :
+    for (const rayclock::Disturbance& disturbance :
          // In the last case both caches wait.
-         {rayclock::Traffic{}, disturbed(3), rayclock::Traffic{0, 75, 4}}) {
-        Machine model{job.config, job.khz, traffic};
-        RtlMachine rtl{job.image, job.config, job.khz, traffic};
+         {rayclock::Disturbance{}, disturbed(3), rayclock::Disturbance{0, 75, 4}}) {
+        Machine model{job.config, job.khz, disturbance};
+        RtlMachine rtl{job.image, job.config, job.khz, disturbance};
         for (int i = 0; i < 2; ++i) {
             const Accounts before = model.accounts();
             model.start(frame.frame, frame.trace);

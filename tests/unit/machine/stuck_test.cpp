@@ -13,7 +13,7 @@ using Catch::Contains;
 
 namespace {
 
-constexpr rayclock::Traffic shut{0, 100, 1};   // memory accepts no request and the sink no hit
+constexpr rayclock::Disturbance shut{0, 100, 1};   // memory accepts no request and the sink no hit
 
 /// One pipeline whose memory is the test. A requested word comes in the next cycle, or never.
 struct Alone {

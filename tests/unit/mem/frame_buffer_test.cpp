@@ -42,10 +42,10 @@ TEST_CASE(
     "the screen's words come in time next to a chip that always requests, and do not count as the chip's",
     "[memport][picture]") {
     for (const char* dram : {"ideal", "sdr_half", "ddr3"}) {
-        for (const Traffic& traffic : {Traffic{}, Traffic{40, 30, 5}}) {
+        for (const Disturbance& disturbance : {Disturbance{}, Disturbance{40, 30, 5}}) {
             INFO(dram);
             const Config config = with_picture(dram, 1, 0);
-            Memory memory{config, khz, traffic};
+            Memory memory{config, khz, disturbance};
             const auto ids = std::uint32_t(1 << config.mem_id_bits());
             std::vector<bool> under_way(ids);
             std::uint64_t requested = 0, answered = 0;

@@ -66,8 +66,8 @@ Log run_ideal(const Config& config, int n) {
     IdealMemory port{config, 64};
     return run(port, n, 64);
 }
-Log run_disturbed(const Config& config, Traffic traffic, int n) {
-    Memory port{config, khz, traffic};
+Log run_disturbed(const Config& config, Disturbance disturbance, int n) {
+    Memory port{config, khz, disturbance};
     return run(port, n, 1 << config.mem_id_bits());
 }
 
@@ -111,7 +111,7 @@ TEST_CASE("the ideal memory returns the next cycle with a change, and skips to i
     }
 }
 
-TEST_CASE("without traffic a memory has the timing of its kind, and counts its work", "[memport]") {
+TEST_CASE("without disturbance a memory has the timing of its kind, and counts its work", "[memport]") {
     const Config config = memory(8, 2);
     REQUIRE(run_disturbed(config, {}, 200) == [&] {
         IdealMemory port{config, 1 << config.mem_id_bits()};
@@ -133,19 +133,19 @@ TEST_CASE("jitter lets answers overtake each other within its bound and loses no
     Config config = memory(8, 1);
     config.dram = GENERATE(DramName::ideal, DramName::sdr, DramName::ddr3);
     config.node_mshrs = 32;
-    const Traffic traffic{config.dram == DramName::ideal ? 9 : 60, 0, GENERATE(1u, 2u, 3u)};
-    INFO(name_of(config.dram) << ", seed " << traffic.seed);
-    const Log log = run_disturbed(config, traffic, 500);
+    const Disturbance disturbance{config.dram == DramName::ideal ? 9 : 60, 0, GENERATE(1u, 2u, 3u)};
+    INFO(name_of(config.dram) << ", seed " << disturbance.seed);
+    const Log log = run_disturbed(config, disturbance, 500);
     REQUIRE_FALSE(std::is_sorted(log.order.begin(), log.order.end()));
-    REQUIRE(run_disturbed(config, traffic, 500) == log);
-    Traffic other = traffic;
+    REQUIRE(run_disturbed(config, disturbance, 500) == log);
+    Disturbance other = disturbance;
     other.seed += 10;
     REQUIRE_FALSE(run_disturbed(config, other, 500) == log);
     if (config.dram != DramName::ideal) return;
     int late = 0;
     for (std::size_t i = 0; i < 500; ++i) {
         const int waited = log.came[i] - log.accepted[std::size_t(log.order[i])];
-        REQUIRE(waited > 8);   // the traffic adds a cycle
+        REQUIRE(waited > 8);   // the disturbance adds a cycle
         late += waited > 9;
     }
     REQUIRE(late > 250);
@@ -155,16 +155,16 @@ TEST_CASE("a stalling memory refuses about the stated share of cycles, the same 
           "[memport]") {
     Config config = memory(3, 1);
     config.node_mshrs = 64;
-    const Traffic traffic{0, 40, 7};
-    const Log log = run_disturbed(config, traffic, 2000);
+    const Disturbance disturbance{0, 40, 7};
+    const Log log = run_disturbed(config, disturbance, 2000);
     const double share = 2000.0 / (log.accepted.back() + 1);
     REQUIRE(share == Approx(0.6).margin(0.03));
-    REQUIRE(run_disturbed(config, traffic, 2000) == log);
+    REQUIRE(run_disturbed(config, disturbance, 2000) == log);
 }
 
 TEST_CASE("the sink refuses about the stated share of cycles, each sink others", "[memport]") {
-    Sink open{Traffic{}, 0}, half{Traffic{0, 50, 3}, 0}, other{Traffic{0, 50, 3}, 1},
-        shut{Traffic{0, 100, 3}, 0};
+    Sink open{Disturbance{}, 0}, half{Disturbance{0, 50, 3}, 0}, other{Disturbance{0, 50, 3}, 1},
+        shut{Disturbance{0, 100, 3}, 0};
     int ready = 0, differ = 0, shut_ready = 0;
     for (int i = 0; i < 4000; ++i) {
         REQUIRE(open.ready());

@@ -56,9 +56,9 @@ TEST_CASE("the package states the configuration's numbers", "[package]") {
 }
 
 // Waveforms and routed chips find a unit by the name of its instance.
-TEST_CASE("every unit that decides nodes has an instance of its name", "[package]") {
+TEST_CASE("every node unit has an instance of its name", "[package]") {
     std::ostringstream text;
-    text << std::ifstream(rtl_sources() / "unit/trav/rc_node_test.sv").rdbuf();
+    text << std::ifstream(rtl_sources() / "engine/rc_node_unit.sv").rdbuf();
     const std::string rtl = text.str();
     REQUIRE(rtl.find("    rc_``UNIT u_``UNIT (") != std::string::npos);   // of a row
     for (const NodeUnit& u : node_units) {

@@ -94,9 +94,9 @@ TEST_CASE("a trace holds for machines of other shapes", "[trace]") {
         std::vector<RecordedFrame> again;
         again.push_back(record_frame(own, own.frame));
         require_same(recorded[0].trace, again[0].trace, config);
-        for (const Traffic& traffic : {Traffic{}, Traffic{7, 20, 5}})
-            require_same(replay(config, 100000, recorded, traffic)[0],
-                         replay(config, 100000, again, traffic)[0]);
+        for (const Disturbance& disturbance : {Disturbance{}, Disturbance{7, 20, 5}})
+            require_same(replay(config, 100000, recorded, disturbance)[0],
+                         replay(config, 100000, again, disturbance)[0]);
         const FrameResult run = run_model(own);
         require_same(replay(config, own.khz, recorded)[0], run);
         REQUIRE(run.hits.hits == hits_of(job, recorded[0]).hits);

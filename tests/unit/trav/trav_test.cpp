@@ -51,12 +51,12 @@ void lockstep(const Config& config, unsigned seed, const Pace& pace, int cycles)
         rtl.eval();
         REQUIRE(same(model.ray, rtl.ray, config));
         REQUIRE(same(model.tested, rtl.tested, config));
-        REQUIRE(same(model.box_rsp, rtl.box_rsp, config));
+        REQUIRE(same(model.node_unit_rsp, rtl.node_unit_rsp, config));
         REQUIRE(same(model.leaves, rtl.leaves, config));
         REQUIRE(model.cause == rtl.cause);
         REQUIRE(same(model.node_rsp, rtl.node_rsp, config));
         REQUIRE(same(model.node_req, rtl.node_req, config));
-        REQUIRE(same(model.box_req, rtl.box_req, config));
+        REQUIRE(same(model.node_unit_req, rtl.node_unit_req, config));
         REQUIRE(same(model.done, rtl.done, config));
         world.watch(model);
         model.commit();
@@ -67,7 +67,7 @@ void lockstep(const Config& config, unsigned seed, const Pace& pace, int cycles)
 
 /// A node's inner children, and list's answer after it tested the leaf.
 struct Visit {
-    NodeAnswer boxes;
+    NodeAnswer answer;
     Tested tested;
 };
 
@@ -75,10 +75,10 @@ struct Visit {
 template <class Dut> struct Hand {
     Dut dut;
     explicit Hand(const Config& config) : dut{frame_at(9), config} {
-        dut.node_req.ready = dut.done.ready = dut.box_req.ready = true;
+        dut.node_req.ready = dut.done.ready = dut.node_unit_req.ready = true;
     }
-    TravLinks cycle(std::optional<NodeAnswer> boxes = {}, std::optional<Tested> tested = {}) {
-        dut.box_rsp.offer = boxes;
+    TravLinks cycle(std::optional<NodeAnswer> answer = {}, std::optional<Tested> tested = {}) {
+        dut.node_unit_rsp.offer = answer;
         dut.tested.offer = tested;
         dut.eval();
         const TravLinks seen = dut;
@@ -95,7 +95,7 @@ template <class Dut> struct Hand {
     }
     /// Sends the node's answer, which must have a leaf to test, and then the test's result.
     TravLinks visit(const Visit& visit) {
-        REQUIRE(cycle(visit.boxes).leaves);
+        REQUIRE(cycle(visit.answer).leaves);
         return cycle({}, visit.tested);
     }
     /// Returns the cycles until a node or an end is offered, after the cycle that brings `tested`.
@@ -116,26 +116,26 @@ template <class Dut> struct Hand {
 Visit visit_of(std::uint32_t ray, std::uint32_t t_best, std::initializer_list<std::uint32_t> nears,
                std::uint32_t base = 100) {
     Visit visit{{}, {ray, 0, t_best}};
-    NodeAnswer& boxes = visit.boxes;
-    boxes.ray = ray;
-    boxes.base = base;
+    NodeAnswer& answer = visit.answer;
+    answer.ray = ray;
+    answer.base = base;
     for (const std::uint32_t near : nears) {
-        boxes.t_near[boxes.inner] = near;
-        boxes.offset[boxes.inner] = 2 * boxes.inner;
-        ++boxes.inner;
+        answer.t_near[answer.inner] = near;
+        answer.offset[answer.inner] = 2 * answer.inner;
+        ++answer.inner;
     }
-    boxes.leaves = 1;
-    boxes.count[boxes.inner] = 1;
+    answer.leaves = 1;
+    answer.count[answer.inner] = 1;
     return visit;
 }
 
 /// Returns a single leaf at that distance.
 NodeAnswer leaf_at(std::uint32_t ray, std::uint32_t near) {
-    NodeAnswer boxes;
-    boxes.ray = ray;
-    boxes.leaves = boxes.count[0] = 1;
-    boxes.t_near[0] = near;
-    return boxes;
+    NodeAnswer answer;
+    answer.ray = ray;
+    answer.leaves = answer.count[0] = 1;
+    answer.t_near[0] = near;
+    return answer;
 }
 
 }   // namespace
@@ -215,12 +215,12 @@ TEMPLATE_TEST_CASE("trav ends a ray that is stopped, and leaves nothing on its s
 TEST_CASE("a stack that is stopped is empty", "[trav][shading]") {
     Stack stack{format("shading:default")};
     for (int level = 0; level < 10; ++level)
-        REQUIRE(stack.decide({3, 0, 1000}, children_of(visit_of(3, 1000, {1, 500}).boxes)).action ==
+        REQUIRE(stack.decide({3, 0, 1000}, children_of(visit_of(3, 1000, {1, 500}).answer)).action ==
                 Decision::Action::visit);
     REQUIRE(stack.height() == 10);
     Visit stop = visit_of(3, 1000, {2, 3});
     stop.tested.stop = 1;
-    REQUIRE(stack.decide(stop.tested, children_of(stop.boxes)).action == Decision::Action::done);
+    REQUIRE(stack.decide(stop.tested, children_of(stop.answer)).action == Decision::Action::done);
     REQUIRE(stack.height() == 0);
 }
 
@@ -243,14 +243,14 @@ TEMPLATE_TEST_CASE("trav sends a node's leaves to list immediately if the neares
     Hand<TestType> hand{config};
     hand.start(2);
     TravLinks seen = hand.cycle();
-    NodeAnswer boxes = visit_of(2, 0, {5, 6}, 300).boxes;   // two inner children, then three leaves
-    boxes.leaves = 3;
+    NodeAnswer answer = visit_of(2, 0, {5, 6}, 300).answer;   // two inner children, then three leaves
+    answer.leaves = 3;
     for (std::uint32_t i = 0; i < 3; ++i) {
-        boxes.t_near[2 + i] = 10 + i;
-        boxes.offset[2 + i] = 20 + i;
-        boxes.count[2 + i] = 1 + i;
+        answer.t_near[2 + i] = 10 + i;
+        answer.offset[2 + i] = 20 + i;
+        answer.count[2 + i] = 1 + i;
     }
-    seen = hand.cycle(boxes);
+    seen = hand.cycle(answer);
     REQUIRE(seen.leaves);
     REQUIRE((seen.leaves->ray == 2 && seen.leaves->base == 300 && seen.leaves->leaves == 3));
     for (std::uint32_t i = 0; i < std::uint32_t(config.node_width); ++i) {
@@ -317,11 +317,12 @@ TEMPLATE_TEST_CASE("trav's rays that are tested go before those without leaves",
     for (std::uint32_t ray = 0; ray < 4; ++ray) hand.start(ray);
     for (int i = 0; i < 5; ++i) hand.cycle();
     const auto children = [](std::uint32_t ray) {
-        NodeAnswer boxes = visit_of(ray, 0, {5}, 100 * ray).boxes;
-        boxes.leaves = boxes.count[1] = 0;
-        return boxes;
+        NodeAnswer answer = visit_of(ray, 0, {5}, 100 * ray).answer;
+        answer.leaves = answer.count[1] = 0;
+        return answer;
     };
-    for (const std::uint32_t ray : {2, 3}) REQUIRE(hand.cycle(visit_of(ray, 0, {5}, 100 * ray).boxes).leaves);
+    for (const std::uint32_t ray : {2, 3})
+        REQUIRE(hand.cycle(visit_of(ray, 0, {5}, 100 * ray).answer).leaves);
     hand.cycle(children(0));
     REQUIRE(hand.cycle(children(1), Tested{2, 0, 50}).tested.fires());   // before ray 0, which waits
     REQUIRE(hand.cycle({}, Tested{3, 0, 50}).tested.fires());
@@ -342,11 +343,11 @@ TEMPLATE_TEST_CASE("trav decides a step in every cycle, and no step enters in a 
     const auto visit_in = [](std::uint32_t cycle) {
         return visit_of(cycle % 64, 1000, {cycle / 64, 900 - cycle / 64});
     };
-    hand.cycle(visit_in(0).boxes);
+    hand.cycle(visit_in(0).answer);
     int visits = 0;
-    for (std::uint32_t cycle = 0; cycle < 64 * 8; ++cycle) {   // one node's boxes, and another's tests
-        const TravLinks seen = hand.cycle(visit_in(cycle + 1).boxes, visit_in(cycle).tested);
-        REQUIRE((seen.tested.fires() && seen.box_rsp.fires() && seen.leaves && seen.cause == 0));
+    for (std::uint32_t cycle = 0; cycle < 64 * 8; ++cycle) {   // one node's answer, and another's tests
+        const TravLinks seen = hand.cycle(visit_in(cycle + 1).answer, visit_in(cycle).tested);
+        REQUIRE((seen.tested.fires() && seen.node_unit_rsp.fires() && seen.leaves && seen.cause == 0));
         visits += seen.node_req.fires();
     }
     REQUIRE(visits == 64 * 8 - 2);

@@ -8,7 +8,7 @@ using namespace rayclock::test;
 
 namespace {
 
-struct BihUnit : NodeTestUnit<bih::Engine> {
+struct BihUnit : NodeUnitOf<bih::Engine> {
     static constexpr const char* name = "rc_bih";
     static NodeAnswer answer(const BihReq& req, const Frame&, const Config& c) { return bih_answer(req, c); }
 };

@@ -5,7 +5,7 @@
 
 #include "model/layout/tree.hpp"
 
-namespace rayclock::cells {
+namespace rayclock::space_cells {
 
 /// A cell's side of a plane in any direction: n . x <= at, or >= at on the upper side.
 struct Wall {
@@ -55,4 +55,4 @@ private:
     bool is_full_ = false;      ///< it is a full box
 };
 
-}   // namespace rayclock::cells
+}   // namespace rayclock::space_cells

@@ -1,9 +1,9 @@
 #pragma once
 // Chooses the cells of a tree that begin a treelet, and the cuts to undo.
 #include "model/core/config.hpp"
-#include "model/engine/cells/cell.hpp"
+#include "model/engine/space_cells/cell.hpp"
 
-namespace rayclock::cells {
+namespace rayclock::space_cells {
 
 /// The chip visits treelets, so the cost depends on which planes share one. Dynamic programming from the
 /// leaves up chooses them, as for the box tree (collapse.hpp). Each cell under a treelet's root has one of
@@ -44,4 +44,4 @@ private:
     int levels_ = 0;
 };
 
-}   // namespace rayclock::cells
+}   // namespace rayclock::space_cells

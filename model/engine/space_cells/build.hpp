@@ -2,9 +2,9 @@
 // Builds trees of cells top-down by the surface area heuristic.
 #include <functional>
 
-#include "model/engine/cells/split.hpp"
+#include "model/engine/space_cells/split.hpp"
 
-namespace rayclock::cells {
+namespace rayclock::space_cells {
 
 /// Replaces `best` by any cheaper cut of a cell. Several threads call it.
 using ChooseCut = std::function<void(const Items& items, const Region& region, Split& best)>;
@@ -27,4 +27,4 @@ using ChooseCut = std::function<void(const Items& items, const Region& region, S
 /// Infinite planes fill all of space. They lie in a separate part next to the tree.
 CellPtr build(const Pieces& pieces, const Config& config, const ChooseCut& choose);
 
-}   // namespace rayclock::cells
+}   // namespace rayclock::space_cells

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "model/core/config.hpp"
-#include "model/engine/cells/axis.hpp"
-#include "model/engine/cells/clip.hpp"
+#include "model/engine/space_cells/axis.hpp"
+#include "model/engine/space_cells/clip.hpp"
 
-namespace rayclock::cells {
+namespace rayclock::space_cells {
 
 /// A cell of space: cut by a plane, walked in two parts without a cut (no_axis, a normal of zeros), or a
 /// leaf.
@@ -95,4 +95,4 @@ private:
     std::function<void()> report_;
 };
 
-}   // namespace rayclock::cells
+}   // namespace rayclock::space_cells

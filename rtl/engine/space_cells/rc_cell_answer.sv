@@ -3,7 +3,7 @@
 // rc_bih, which have the valid bits and decide the planes.
 //
 // The node comes at stage In, its planes' results at stage Meet. The box's results wait for planes
-// that take longer. Model: exits_met() in model/engine/cells/decide.hpp.
+// that take longer. Model: exits_met() in model/engine/space_cells/decide.hpp.
 `default_nettype none
 module rc_cell_answer #(
   parameter  int unsigned Latency = rc_pkg::TreeletLatency,   // the unit's, without its queue

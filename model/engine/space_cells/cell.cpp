@@ -1,9 +1,9 @@
 // Cells, and the primitives on both sides of a cut.
-#include "model/engine/cells/cell.hpp"
+#include "model/engine/space_cells/cell.hpp"
 
 #include <algorithm>
 
-namespace rayclock::cells {
+namespace rayclock::space_cells {
 
 CellPtr leaf_of(const Items& items) {
     auto cell = std::make_unique<Cell>();
@@ -109,4 +109,4 @@ CellPtr Pieces::with_endless(CellPtr tree) const {
     return root;
 }
 
-}   // namespace rayclock::cells
+}   // namespace rayclock::space_cells

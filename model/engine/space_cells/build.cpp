@@ -1,14 +1,14 @@
 // Builds trees of planes top-down, on all cores.
-#include "model/engine/cells/build.hpp"
+#include "model/engine/space_cells/build.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <tbb/parallel_invoke.h>
 
-#include "model/engine/cells/treelets.hpp"
+#include "model/engine/space_cells/treelets.hpp"
 
-namespace rayclock::cells {
+namespace rayclock::space_cells {
 
 namespace {
 
@@ -88,4 +88,4 @@ CellPtr build(const Pieces& pieces, const Config& config, const ChooseCut& choos
     return pieces.with_endless(std::move(root));
 }
 
-}   // namespace rayclock::cells
+}   // namespace rayclock::space_cells

@@ -1,11 +1,11 @@
 // The dynamic program of treelets.hpp.
-#include "model/engine/cells/treelets.hpp"
+#include "model/engine/space_cells/treelets.hpp"
 
 #include <algorithm>
 
 #include <tbb/parallel_invoke.h>
 
-namespace rayclock::cells {
+namespace rayclock::space_cells {
 
 namespace {
 
@@ -92,4 +92,4 @@ void Treelets::settle_parts(Cell& cell, const Space& space, int levels) const {
         lower(), upper();
 }
 
-}   // namespace rayclock::cells
+}   // namespace rayclock::space_cells

@@ -1,11 +1,11 @@
 // Crossings of planes, and the exits that a ray meets.
-#include "model/engine/cells/decide.hpp"
+#include "model/engine/space_cells/decide.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
-#include "model/engine/cells/axis.hpp"
+#include "model/engine/space_cells/axis.hpp"
 
 namespace rayclock {
 

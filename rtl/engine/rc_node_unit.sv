@@ -1,9 +1,9 @@
-// The unit that decides the nodes of a structure. A new engine adds a line here. Part of rc_tree.
+// The node unit of a structure. A new engine adds a line here. Part of rc_tree.
 //
 // Only box may be occupied for a few cycles after each node. The answer comes Pad cycles later than
 // the unit's own, and must be accepted in that cycle.
 `default_nettype none
-module rc_node_test #(
+module rc_node_unit #(
   parameter int unsigned Structure = rc_pkg::Structure,
   parameter int unsigned ReqW      = rc_pkg::NodeReqBits,
   parameter int unsigned Pad       = 0
@@ -18,7 +18,7 @@ module rc_node_test #(
   // To trav
   output logic             rsp_valid_o,
   output rc_pkg::node_answer_t rsp_o,
-  // In: its cache waits for memory. Out: what it did, rc_pkg::decide_cause_e.
+  // In: its cache waits for memory. Out: what it did, rc_pkg::node_unit_cause_e.
   input  logic             node_waits_i,
   output logic [rc_pkg::CauseBits-1:0] cause_o
 );
@@ -62,11 +62,11 @@ module rc_node_test #(
   assign rsp_o = rsp_flat;
 
   always_comb begin
-    if (occupied) cause_o = rc_pkg::DecideBusyWork;
+    if (occupied) cause_o = rc_pkg::NodeUnitBusyWork;
     else if (req_valid_i)
-      cause_o = req_ready_o ? rc_pkg::DecideBusyWork : rc_pkg::DecideStalledTrav;
+      cause_o = req_ready_o ? rc_pkg::NodeUnitBusyWork : rc_pkg::NodeUnitStalledTrav;
     else
-      cause_o = node_waits_i ? rc_pkg::DecideStarvedMemory : rc_pkg::DecideStarvedTrav;
+      cause_o = node_waits_i ? rc_pkg::NodeUnitStarvedMemory : rc_pkg::NodeUnitStarvedTrav;
   end
 endmodule
 `default_nettype wire

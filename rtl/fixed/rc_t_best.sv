@@ -1,14 +1,15 @@
-// The distance to beat of each ray: how far it still searches.
+// The distance to beat of each ray, t_best: how far it still searches.
 //
-// When a ray starts, its kind gives the distance. It is 2^(N+F) for a shadow ray, which ends at t =
-// 2^-B, and all ones for other rays. Afterwards it is the value that was written last.
+// When a ray starts, it is t_max, the end of the ray's interval. This is 2^(N+F) for a shadow ray,
+// which ends at t = 2^-B, and all ones for other rays. Afterwards it is the value that was written
+// last.
 //
 // A read answers in the same cycle. In a fast chip it answers in the next cycle. near_i comes in
 // the cycle of the answer. It is compared with both candidates before one of them is selected. A
 // read sees the changes of earlier cycles only. trav and list have one instance each. Model:
-// reach_of() in model/core/frame.hpp.
+// t_max_of() in model/core/frame.hpp, BestHit in model/unit/list/ray_tests.hpp.
 `default_nettype none
-module rc_ray_t_max #(
+module rc_t_best #(
   parameter int unsigned Nears = 1
 ) (
   input  logic                       clk_i,
@@ -19,17 +20,17 @@ module rc_ray_t_max #(
   // Write port
   input  logic                       write_i,
   input  logic [rc_pkg::RayBits-1:0] write_ray_i,
-  input  logic [rc_pkg::TBits-1:0]   write_t_i,
+  input  logic [rc_pkg::TBits-1:0]   write_t_best_i,
   // Read port
   input  logic [rc_pkg::RayBits-1:0] read_ray_i,
-  output logic [rc_pkg::TBits-1:0]   read_t_o,
-  // Distances to compare, when read_t_o is valid; within_o: not beyond the distance to beat
+  output logic [rc_pkg::TBits-1:0]   read_t_best_o,
+  // Distances to compare, when read_t_best_o is valid; within_o: not beyond the distance to beat
   input  logic [Nears*rc_pkg::TBits-1:0] near_i,
   output logic [Nears-1:0]           within_o
 );
   localparam int unsigned Contexts = rc_pkg::Contexts;
   localparam int unsigned TBits    = rc_pkg::TBits;
-  localparam logic [TBits-1:0] SurfaceT = TBits'(1) << (rc_pkg::CoordBits + rc_pkg::TFracBits);
+  localparam logic [TBits-1:0] SurfaceTMax = TBits'(1) << (rc_pkg::CoordBits + rc_pkg::TFracBits);
 
   // written: the memory holds the ray's value. shadow: the ray ends at the surface.
   logic [Contexts-1:0]        written, shadow;
@@ -44,7 +45,7 @@ module rc_ray_t_max #(
 
   assign stored = t_mem[read_ray_i];
 
-  always_ff @(posedge clk_i) if (write_i) t_mem[write_ray_i] <= write_t_i;
+  always_ff @(posedge clk_i) if (write_i) t_mem[write_ray_i] <= write_t_best_i;
 
   rc_flags #(.Flags(Contexts)) u_written (
     .clk_i, .rst_ni, .clear_i(start_fires_i), .clear_at_i(start_ray),
@@ -72,13 +73,13 @@ module rc_ray_t_max #(
 
   rc_path_register #(.Width(TBits)) u_s1_stored (.clk_i, .data_i(stored), .data_o(s1_stored));
 
-  assign read_t_o = was_written ? s1_stored : was_shadow ? SurfaceT : '1;
+  assign read_t_best_o = was_written ? s1_stored : was_shadow ? SurfaceTMax : '1;
 
   // Comparisons with both candidates, then the selection.
   for (genvar i = 0; i < Nears; i++) begin : gen_near
     logic [TBits-1:0] near;
     assign near        = near_i[i*TBits +: TBits];
-    assign within_o[i] = was_written ? near <= s1_stored : !was_shadow || near <= SurfaceT;
+    assign within_o[i] = was_written ? near <= s1_stored : !was_shadow || near <= SurfaceTMax;
   end
 
   logic unused;

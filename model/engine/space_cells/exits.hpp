@@ -1,8 +1,8 @@
 #pragma once
 // The planes and cells of a node, shared by all writers of cells as lines.
-#include "model/engine/cells/cell.hpp"
+#include "model/engine/space_cells/cell.hpp"
 
-namespace rayclock::cells {
+namespace rayclock::space_cells {
 
 /// A cell, or some of a leaf's primitives. A leaf too large for one exit is walked in parts.
 struct CellPart {
@@ -59,4 +59,4 @@ private:
     std::array<CellPart, max_width> exits_;
 };
 
-}   // namespace rayclock::cells
+}   // namespace rayclock::space_cells

@@ -12,7 +12,7 @@
 // - if the origin lies between lattice points, at least the time of one lattice step, 2^(shift +
 //   R).
 //
-// Model: plane_sides() in model/engine/cells/decide.hpp, which has the formulas.
+// Model: plane_sides() in model/engine/space_cells/decide.hpp, which has the formulas.
 `default_nettype none
 module rc_plane #(
   parameter  bit          HasTo = 1'b1,   // 0: near_to_o is always the latest time

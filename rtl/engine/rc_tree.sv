@@ -1,8 +1,8 @@
-// The engine that walks a ray through a tree: wires trav, the unit that decides nodes (chosen by
+// The engine that walks a ray through a tree: wires trav, the node unit (chosen by
 // rc_pkg::Structure) and, with two levels, xform.
 //
 // With two levels meshes may have another structure (rc_pkg::MeshStructure). Then there are two
-// such units, and one of them gets a node per cycle. The faster unit's answers are delayed to the
+// node units, and one of them gets a node per cycle. The faster unit's answers are delayed to the
 // slower unit's latency, so one answer comes per cycle.
 //
 // It has the interface of every engine (rtl/README.md). It accepts rays, sends their leaves to
@@ -13,7 +13,7 @@
 // in order; leaves go to list, and inner ones wait. A ray in a kd-tree ends early if its hit lies
 // before a cell; this follows from the exits' t_near.
 //
-// In traces, decide_req, decide_rsp, mesh_req and mesh_rsp have the names of the unit's links
+// In traces, node_unit_req, node_unit_rsp, mesh_req and mesh_rsp have the names of the unit's links
 // (model/machine/links.hpp). Model: model/engine.
 `default_nettype none
 module rc_tree (
@@ -47,20 +47,20 @@ module rc_tree (
   output rc_pkg::done_t     done_o,
   output logic              done_next_fires_o,   // in a fast chip: the next one comes
   output rc_pkg::done_t     done_next_o,
-  // What its units did: rc_pkg::trav_cause_e, decide_cause_e
+  // What its units did: rc_pkg::trav_cause_e, node_unit_cause_e
   output logic [rc_pkg::CauseBits-1:0] trav_cause_o,
-  output logic [rc_pkg::CauseBits-1:0] decide_cause_o,
-  output logic [rc_pkg::CauseBits-1:0] mesh_cause_o,    // from the unit that decides meshes' nodes
+  output logic [rc_pkg::CauseBits-1:0] node_unit_cause_o,
+  output logic [rc_pkg::CauseBits-1:0] mesh_cause_o,    // from the meshes' node unit
   // With two levels: a transformed ray, to list; rc_pkg::xform_cause_e
   output logic              change_fires_o,
   output rc_pkg::change_t   change_o,
   output logic [rc_pkg::CauseBits-1:0] xform_cause_o
 );
   // Links.
-  logic                           decide_req_valid, decide_req_ready;
-  logic [rc_pkg::NodeReqBits-1:0] decide_req;
-  logic                           decide_rsp_valid, decide_rsp_ready;
-  rc_pkg::node_answer_t           decide_rsp, mesh_rsp, rsp;
+  logic                           node_unit_req_valid, node_unit_req_ready;
+  logic [rc_pkg::NodeReqBits-1:0] node_unit_req;
+  logic                           node_unit_rsp_valid, node_unit_rsp_ready;
+  rc_pkg::node_answer_t           node_unit_rsp, mesh_rsp, rsp;
   logic                           mesh_req_valid, mesh_req_ready;
   logic [rc_pkg::MeshReqBits-1:0] mesh_req;
   logic                           mesh_rsp_valid, mesh_rsp_ready;
@@ -72,9 +72,9 @@ module rc_tree (
     .clk_i, .rst_ni, .frame_i, .start_fires_i, .start_i, .ray_valid_i, .ray_ready_o, .ray_i,
     .node_req_valid_o, .node_req_ready_i, .node_req_o,
     .node_rsp_valid_i, .node_rsp_ready_o, .node_rsp_i, .node_next_fires_i, .node_next_i,
-    .decide_req_valid_o(decide_req_valid), .decide_req_ready_i(decide_req_ready),
-    .decide_req_o(decide_req), .decide_rsp_valid_i(decide_rsp_valid || mesh_rsp_valid),
-    .decide_rsp_ready_o(decide_rsp_ready), .decide_rsp_i(rsp),
+    .node_unit_req_valid_o(node_unit_req_valid), .node_unit_req_ready_i(node_unit_req_ready),
+    .node_unit_req_o(node_unit_req), .node_unit_rsp_valid_i(node_unit_rsp_valid || mesh_rsp_valid),
+    .node_unit_rsp_ready_o(node_unit_rsp_ready), .node_unit_rsp_i(rsp),
     .mesh_req_valid_o(mesh_req_valid), .mesh_req_ready_i(mesh_req_ready), .mesh_req_o(mesh_req),
     .leaves_fires_o, .leaves_o, .tested_valid_i, .tested_ready_o, .tested_i,
     .done_valid_o, .done_ready_i, .done_o, .done_next_fires_o, .done_next_o,
@@ -82,24 +82,24 @@ module rc_tree (
     .xform_req_valid_o(xform_req_valid), .xform_req_ready_i(xform_req_ready),
     .xform_req_o(xform_req), .change_fires_i(change_fires), .change_i(change));
 
-  // The unit that decides nodes. Two units share a credit counter that counts all nodes in flight,
+  // The node unit. Two node units share a credit counter that counts all nodes in flight,
   // so their own counters never close.
   logic open;
 
-  rc_node_test #(.Pad(rc_pkg::NodePad)) u_decide (
-    .clk_i, .rst_ni, .req_valid_i(decide_req_valid), .req_ready_o(decide_req_ready),
-    .req_i(decide_req), .open_i(open), .rsp_valid_o(decide_rsp_valid), .rsp_o(decide_rsp),
-    .node_waits_i, .cause_o(decide_cause_o));
+  rc_node_unit #(.Pad(rc_pkg::NodePad)) u_node_unit (
+    .clk_i, .rst_ni, .req_valid_i(node_unit_req_valid), .req_ready_o(node_unit_req_ready),
+    .req_i(node_unit_req), .open_i(open), .rsp_valid_o(node_unit_rsp_valid), .rsp_o(node_unit_rsp),
+    .node_waits_i, .cause_o(node_unit_cause_o));
 
   if (rc_pkg::MeshStructure == rc_pkg::Structure) begin : gen_one_structure
-    assign open = 1'b1;
-    assign rsp  = decide_rsp;
+    assign open                                                                     = 1'b1;
+    assign rsp                                                                      = node_unit_rsp;
     assign {mesh_req_ready, mesh_rsp_valid, mesh_rsp_ready, mesh_rsp, mesh_cause_o} = '0;
 
     logic unused;
-    assign unused = ^{mesh_req_valid, mesh_req, mesh_rsp_ready, mesh_rsp, decide_rsp_ready};
+    assign unused = ^{mesh_req_valid, mesh_req, mesh_rsp_ready, mesh_rsp, node_unit_rsp_ready};
   end else begin : gen_two_structures
-    rc_node_test #(
+    rc_node_unit #(
       .Structure(rc_pkg::MeshStructure), .ReqW(rc_pkg::MeshReqBits),
       .Pad(rc_pkg::MeshPad)
     ) u_mesh (
@@ -107,17 +107,17 @@ module rc_tree (
       .req_i(mesh_req), .open_i(open), .rsp_valid_o(mesh_rsp_valid), .rsp_o(mesh_rsp),
       .node_waits_i, .cause_o(mesh_cause_o));
 
-    assign mesh_rsp_ready = decide_rsp_ready;
-    assign rsp            = mesh_rsp_valid ? mesh_rsp : decide_rsp;
+    assign mesh_rsp_ready = node_unit_rsp_ready;
+    assign rsp            = mesh_rsp_valid ? mesh_rsp : node_unit_rsp;
 
     rc_credit_counter #(.Credits(rc_pkg::BoxQueue)) u_credits (
       .clk_i, .rst_ni,
-      .admit_i((decide_req_valid && decide_req_ready) || (mesh_req_valid && mesh_req_ready)),
-      .leave_i(decide_rsp_valid || mesh_rsp_valid), .open_o(open));
+      .admit_i((node_unit_req_valid && node_unit_req_ready) || (mesh_req_valid && mesh_req_ready)),
+      .leave_i(node_unit_rsp_valid || mesh_rsp_valid), .open_o(open));
 
 `ifndef SYNTHESIS
     always_ff @(posedge clk_i) if (rst_ni)
-      a_one_answer: assert (!(decide_rsp_valid && mesh_rsp_valid))
+      a_one_answer: assert (!(node_unit_rsp_valid && mesh_rsp_valid))
       else $error("two nodes are decided in one cycle");
 `endif
 

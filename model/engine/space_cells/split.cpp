@@ -1,12 +1,12 @@
 // Sweeps planes over the items of a cell.
-#include "model/engine/cells/split.hpp"
+#include "model/engine/space_cells/split.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <tbb/parallel_for.h>
 
-namespace rayclock::cells {
+namespace rayclock::space_cells {
 
 namespace {
 
@@ -138,4 +138,4 @@ void try_axes(const Items& items, const LatticeBox& cell, std::size_t most, Spli
         if (split.cost < best.cost) best = split;
 }
 
-}   // namespace rayclock::cells
+}   // namespace rayclock::space_cells

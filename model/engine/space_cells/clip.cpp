@@ -1,11 +1,11 @@
 // Clips triangles, spheres and boxes to cells.
-#include "model/engine/cells/clip.hpp"
+#include "model/engine/space_cells/clip.hpp"
 
 #include <cmath>
 #include <cstdlib>
 #include <utility>
 
-namespace rayclock::cells {
+namespace rayclock::space_cells {
 
 namespace {
 
@@ -154,4 +154,4 @@ bool Clipper::meets_sphere(const LatticeBox& cell) const {
     return nearest <= outer * outer && farthest >= inner * inner;
 }
 
-}   // namespace rayclock::cells
+}   // namespace rayclock::space_cells

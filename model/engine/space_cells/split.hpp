@@ -1,8 +1,8 @@
 #pragma once
 // Chooses planes across the axes of a cell by the surface area heuristic.
-#include "model/engine/cells/cell.hpp"
+#include "model/engine/space_cells/cell.hpp"
 
-namespace rayclock::cells {
+namespace rayclock::space_cells {
 
 constexpr double cut_cost = 8, test_cost = 20, empty_factor = 0.9;
 
@@ -22,4 +22,4 @@ double cost_of(double lower, std::size_t below, double upper, std::size_t above)
 /// O(n) time after sorting by digits. Skips a plane with more than `most` items on both sides together.
 void try_axes(const Items& items, const LatticeBox& cell, std::size_t most, Split& best);
 
-}   // namespace rayclock::cells
+}   // namespace rayclock::space_cells
