@@ -1,9 +1,11 @@
 // Payloads as bits: nothing is lost, nothing overlaps, and the order is that of SystemVerilog.
+#include <algorithm>
 #include <tuple>
 
 #include "model/engine/engines.hpp"
 #include "model/unit/trav/children.hpp"
 #include "model/machine/links.hpp"
+#include "tests/support/dut/format.hpp"
 #include "tests/support/world/traffic.hpp"
 
 using namespace rayclock;
@@ -96,4 +98,25 @@ TEST_CASE("links have the payloads and names that lockstep and reports use", "[l
     STATIC_REQUIRE(std::tuple_size_v<LinkPayloads> == link_count);
     for (std::size_t a = 0; a < link_count; ++a)
         for (std::size_t b = 0; b < a; ++b) REQUIRE(std::string(link_infos[a].name) != link_infos[b].name);
+}
+
+TEST_CASE("two records of hits fit into a line of memory in the chip with the widest fields", "[hits]") {
+    struct Lattice {
+        int coord, dir, origin;   // bits; wider ones are refused
+    };
+    int most = 0;
+    for (const Lattice& l : {Lattice{20, 20, 10}, {20, 19, 10}, {18, 24, 12}})
+        for (const bool planes : {false, true})
+            for (const int levels : {1, 2}) {
+                Config c = test::format("default");
+                c.coord_bits = l.coord, c.dir_bits = l.dir, c.origin_bits = l.origin;
+                c.t_frac_bits = 8, c.pixel_bits = max_pixel_bits, c.bary_bits = planes ? 19 : 24;
+                c.contexts = 1024, c.pipelines = 8;
+                c.shading = c.spheres = c.pixel_writes = true;
+                c.planes = planes, c.levels = levels, c.source = RaySource::stream;
+                REQUIRE_NOTHROW(check_config(c, "test"));
+                CHECK(bits_of<HitRecord>(c) * hits_of_line(c) <= line_bits);
+                most = std::max(most, bits_of<HitRecord>(c));
+            }
+    CHECK(most == 191);   // docs/guide/streams.md
 }
