@@ -19,9 +19,9 @@ import sys
 
 # Each named configuration; then each engine, alone and under instances, in relaxed and in fast timing; then each interval.
 NAMED = ["default", "small", "wide", "saarcor", "rpu", "ulx3s", "ulx3s-shaded"]
-# A folder of rtl/engine has the name of its structure. cells is what engines share.
+# A folder of rtl/engine has the name of its structure. space_cells is what engines share.
 ENGINE_ROOMS = (pathlib.Path(__file__).parents[2] / "rtl" / "engine").iterdir()
-STRUCTURE_NAMES = sorted(path.name for path in ENGINE_ROOMS if path.is_dir() and path.name != "cells")
+STRUCTURE_NAMES = sorted(path.name for path in ENGINE_ROOMS if path.is_dir() and path.name != "space_cells")
 ENGINES = [f"default structure={name} shading=1" for name in STRUCTURE_NAMES if name != "none"]
 ENGINES += [f"small structure={name} timing=fast" for name in STRUCTURE_NAMES]
 ENGINES += [

@@ -15,8 +15,8 @@ struct Variant {
 };
 
 /// Returns the variants: hits only, hits of a stream of rays, the same written into memory, shading alone,
-/// shading with each further unit alone, and all units. Other parameters are those of `base`. Throws UserError
-/// if `base` cannot shade or has no RTL.
+/// shading with each further unit alone, and all units. Other parameters are those of `base`. Throws
+/// UserError if `base` cannot shade or has no RTL.
 std::vector<Variant> variants_of(const Config& base);
 /// Places of the first variants.
 constexpr std::size_t hits_alone = 0, stream_alone = 1, stream_writes = 2, shading_only = 3;
