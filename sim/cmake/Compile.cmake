@@ -10,7 +10,8 @@ target_compile_options(rc_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion $<$<BOOL:${RAYCLOCK_WERROR}>:-Werror>
   -ffp-contract=off)
 # GCC may take 1 GB before it collects garbage: compiling takes a tenth less time, and the code is the same.
-target_compile_options(rc_options INTERFACE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:--param=ggc-min-heapsize=1000000>)
+target_compile_options(rc_options INTERFACE
+  $<$<COMPILE_LANG_AND_ID:CXX,GNU>:--param=ggc-min-heapsize=1000000>)
 # GCC 12 reports overlaps inside std::string's operator+ that cannot happen (GCC bug 105651).
 target_compile_options(rc_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 # The model joins flags by & and | where the host should not branch: model/core/ring.hpp.
