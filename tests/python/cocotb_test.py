@@ -35,7 +35,7 @@ class Example(Case):
             rtl = shutil.copytree(SOURCE / "rtl", Path(folder) / "rtl")
             file = rtl / "unit/tri/rc_tri.sv"
             text = file.read_text()
-            changed = text.replace(".u_i(pre_u), .v_i(pre_v)", ".u_i(pre_v), .v_i(pre_u)")
+            changed = text.replace(".u_i(pre.u), .v_i(pre.v)", ".u_i(pre.v), .v_i(pre.u)")
             self.assertNotEqual(changed, text)
             file.write_text(changed)
             done = self.run_example(rtl)
