@@ -20,8 +20,8 @@ using Vec3l = std::array<std::int64_t, 3>;
 enum class RayKind : std::uint32_t { camera, bounce, shadow, away };
 constexpr int ray_kind_bits = 2;
 constexpr bool ends_at_any(RayKind kind) { return kind >= RayKind::shadow; }
-/// Returns the end of a ray's interval, its distance to beat until it has a hit: that of the surface for a
-/// shadow ray, all ones for the others. Mirror of rtl/fixed/rc_t_best.sv.
+/// Returns t_max, the end of a ray's interval. It is the distance to beat until the ray has a hit. A shadow
+/// ray ends at the surface, and other rays have all ones. Mirror of rtl/fixed/rc_t_best.sv.
 constexpr std::uint32_t t_max_of(RayKind kind, const Config& config) {
     return kind == RayKind::shadow ? 1u << (config.coord_bits + config.t_frac_bits)
                                    : (1u << config.t_bits()) - 1;

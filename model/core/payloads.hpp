@@ -140,8 +140,8 @@ struct Ray {
     }
 };
 
-/// A ray starts: it has no hit yet, and its distance to beat is t_max_of() its kind. This event is separate
-/// from the ray's transfer to trav, which could carry the same ray with a new direction.
+/// A ray starts. It has no hit, and its distance to beat is t_max_of(kind). This event is separate from the
+/// ray's transfer to trav, which could carry the same ray with a new direction.
 struct Start {
     std::uint32_t ray = 0;
     RayKind kind = RayKind::camera;

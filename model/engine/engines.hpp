@@ -14,9 +14,9 @@
 // - children(): the places of a node's children in memory;
 // - answer(): the unit's answer to a request, for tests and tools that look at the unit alone;
 // - has_cells: true if its builder makes cells (space_cells/cell.hpp), which the compiler writes as lines.
-// Then
-//   build() returns the cells of a scene, put() writes a plane of a cell into a node, and put_none() a
-//   missing plane.
+//   Such an engine also has build(), which returns the cells of a scene, put(), which writes a plane of a
+//   cell into a node, and put_none(), which writes a missing plane.
+//
 // It is the struct Engine in the engine's namespace, which has the name of the engine's folder and also holds
 // the builder. Node, request and decision are in rayclock, as all payloads and functions of units are.
 #include <algorithm>

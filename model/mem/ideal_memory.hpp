@@ -15,7 +15,7 @@ namespace rayclock {
 struct Disturbance {
     /// Extra cycles of latency, 0..jitter, drawn per answer, so that answers overtake each other.
     int jitter = 0;
-    int stall_percent = 0;   ///< percentage of cycles in which no request is accepted
+    int stall_percent = 0;   ///< percentage of cycles in which memory, or a sink, accepts nothing
     std::uint64_t seed = 1;
     bool none() const { return jitter == 0 && stall_percent == 0; }
 };

@@ -1,5 +1,5 @@
-// The common end of all node units: sorts the children that are met, and queues the
-// answers for trav. Part of every such unit.
+// The last stages of every node unit: sorts the children that the ray meets, and queues the
+// answers for trav.
 //
 // Stages count like the unit's valid bits. A node's ray, base and kinds come with stage In. The
 // children that are met, and their distances, come with stage Latency - RankStages - 1. Model:

@@ -1,8 +1,8 @@
-// The distance to beat of each ray, t_best: how far it still searches.
+// Holds t_best, the distance to beat, of each ray. A hit beyond t_best does not count.
 //
-// When a ray starts, it is t_max, the end of the ray's interval. This is 2^(N+F) for a shadow ray,
-// which ends at t = 2^-B, and all ones for other rays. Afterwards it is the value that was written
-// last.
+// When a ray starts, t_best is t_max, the end of the ray's interval. t_max is all ones, but for a
+// shadow ray 2^(N+F), which is the distance of the surface (docs/proofs/origins.md). Each write
+// replaces t_best.
 //
 // A read answers in the same cycle. In a fast chip it answers in the next cycle. near_i comes in
 // the cycle of the answer. It is compared with both candidates before one of them is selected. A

@@ -1,8 +1,8 @@
 // The counters of all units, as the host reads them. which_i is {group, unit, cause}.
 //
-// Group 0 holds the units that all pipelines share, group p + 1 those of pipeline p. The order is
-// that of rc_pkg's UnitsThere: the shared units, then those of one pipeline. A unit that the chip
-// lacks has no counters. Model: model/machine/units.hpp.
+// Group 0 holds the units that all pipelines share, group p + 1 those of pipeline p. rc_pkg's
+// UnitsThere lists the shared units, then the units of one pipeline, in the same order. A unit that
+// the chip lacks has no counters. Model: model/machine/units.hpp.
 `default_nettype none
 module rc_counters #(
   localparam int unsigned Units = rc_pkg::Pipelines * rc_pkg::PipelineUnits + rc_pkg::SharedUnits

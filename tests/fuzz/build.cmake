@@ -1,5 +1,5 @@
-# cmake -DCLANG= -DLAUNCHER=[ccache] -DSOURCE= -DFOLDER= -DMUTANTS= -P build.cmake quick|everything
-# Builds rc_fuzz, and its mutants of the quick tests or all of them, with Clang in a folder of their own.
+# cmake -DCLANG= -DLAUNCHER=[ccache] -DSOURCE= -DFOLDER= -DMUTANTS= -P build.cmake rc_fuzz|mutants
+# Builds rc_fuzz or all its mutants with Clang, in a separate folder.
 math(EXPR last "${CMAKE_ARGC} - 1")
 execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE} -B ${FOLDER} -G Ninja -DCMAKE_CXX_COMPILER=${CLANG}
   -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -DMUTANTS=${MUTANTS} COMMAND_ERROR_IS_FATAL ANY)

@@ -3,14 +3,14 @@
 # `for_each_mutant` to its own function. That function gets the name of a row, and reads the row as ARG_FILE,
 # ARG_OLD and so on.
 function(fuzz_mutant name)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "QUICK" "FILE;TARGET;RUNS;OLD;NEW" "")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "FILE;TARGET;RUNS;OLD;NEW" "")
   cmake_language(CALL ${for_each_mutant} ${name})
 endfunction()
 
-fuzz_mutant(ply_index_unchecked QUICK FILE sim/load/mesh/read_ply.cpp TARGET ply RUNS 20000
+fuzz_mutant(ply_index_unchecked FILE sim/load/mesh/read_ply.cpp TARGET ply RUNS 20000
   OLD [[index < static_cast<double>(vertices_)]]
   NEW [[index >= 0]])
-fuzz_mutant(cache_key_not_compared QUICK FILE sim/files/cache/results.cpp TARGET cache RUNS 20000
+fuzz_mutant(cache_key_not_compared FILE sim/files/cache/results.cpp TARGET cache RUNS 20000
   OLD [[entry["key"] != key || ]]
   NEW [[]])
 fuzz_mutant(mtl_more_light_than_came FILE sim/load/surface.cpp TARGET mtl RUNS 100000

@@ -1,4 +1,4 @@
-// The stage in which quick tests judge the faults that the torture set has missed.
+// The stage in which test cases judge the faults that the torture set has missed.
 #include <chrono>
 #include <cstdlib>
 #include <sys/wait.h>
@@ -91,8 +91,8 @@ struct Step {
     std::string program, cases;
 };
 
-/// What a fault in `file` is given to, the likeliest first. Of the slow tests only those of the unit, and
-/// slow whole frames.
+/// Returns the cases that run on a fault in `file`, the likeliest first. `slow`: the cases tagged [slow];
+/// otherwise all others.
 std::vector<Step> steps_for(const std::string& file, bool slow) {
     const std::string tag = tag_of(file);
     if (slow)

@@ -70,8 +70,8 @@ foreach(file IN LISTS files)
     endif()
   endforeach()
 endforeach()
-# In rtl/engine, lowest first: the modules beside the rooms of engines (engine), space_cells, the engines,
-# and the modules that instantiate any engine (above_engines).
+# The floors of rtl/engine, lowest first: `engine`, the modules directly in that folder; `space_cells`; the
+# folders of engines; `above_engines`, the modules that instantiate engines.
 function(rtl_floor room floor)
   set(found 2)
   if(room STREQUAL "engine")
